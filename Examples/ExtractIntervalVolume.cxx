@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
   std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra from " << cut << " of " << cells
             << " cells\n";
 
-  // Inline data: ParaView 5.11 cannot read appended data with the libexpat of Debian 12.
+  // Write the data inline: with the libexpat of Debian 12, ParaView 5.11 cannot read appended data.
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetDataModeToBinary();
   writer->SetInputData(tetrahedra);

@@ -70,8 +70,7 @@ int main(int argc, char* argv[])
     actor->GetProperty()->SetColor(
       0.2 + 0.75 * fraction, 0.45 + 0.25 * fraction, 0.7 - 0.45 * fraction);
     actor->GetProperty()->SetOpacity(i == count - 1 ? 1.0 : 0.3);
-    // Adjacent intervals share a surface. With culled back faces, each side of that surface is
-    // drawn for only one of them.
+    // Adjacent intervals share a surface. With back-face culling, each side of it is drawn once.
     actor->GetProperty()->BackfaceCullingOn();
     renderer->AddActor(actor);
   }

@@ -10,9 +10,9 @@
 #include <string>
 
 /**
- * Returns the reader for a file by its extension: legacy .vtk, or one of VTK's XML formats (.vti,
- * .vtr, .vts, .vtu, .vtm ...). If the file cannot be read, the pipeline reports an error when it
- * runs.
+ * Returns a reader that matches the extension of a file: a legacy reader for .vtk, otherwise a
+ * reader for VTK's XML formats (.vti, .vtr, .vts, .vtu, .vtm, ...). If the file cannot be read, the
+ * pipeline reports an error when it runs.
  */
 inline vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
 {

@@ -34,7 +34,7 @@
 
 namespace
 {
-/// Returns the blocks of an output as one grid.
+/// Merges the blocks of a multiblock dataset into one grid.
 vtkSmartPointer<vtkUnstructuredGrid> Append(vtkDataObject* output)
 {
   vtkNew<vtkAppendFilter> append;
@@ -132,8 +132,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(tetrahedra);
   writer->SetFileName(argv[5]);
-  // If the interval contains all values at all times, a view ray along the diagonal has an optical
-  // depth of 80.
+  // With this extinction, a view ray along the diagonal has an optical depth of 80 if the interval
+  // contains all values at all times.
   const double extinction = 80.0 / (tetrahedra->GetLength() * (allTimes.back() - allTimes.front()));
   const bool isDrawn = Draw(MakeVolume(tetrahedra, allTimes, extinction), argv[6]);
   return writer->Write() && isDrawn ? EXIT_SUCCESS : EXIT_FAILURE;

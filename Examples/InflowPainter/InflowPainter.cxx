@@ -4,7 +4,7 @@
 //
 //   InflowPainter post.vts Velocity paint.png
 //   InflowPainter post.vts Velocity paint.png --points 96 --record events.log
-//   InflowPainter post.vts Velocity paint.png --replay events.log --image painter.png
+//   InflowPainter post.vts Velocity paint.png --replay events.log --picture painter.png
 //
 // In the left view, the left button paints; sliders and keys change the brush (see
 // PainterWindow.h). In the right view, the left button rotates the camera.
@@ -34,7 +34,8 @@
 
 namespace
 {
-/// Sets the samples: \a points along the longest edge, and the same spacing along the other edges.
+/// Sets the sample dimensions: \a points along the longest edge of the field's bounding box, and
+/// about the same spacing along the other edges.
 void SetImage(vtkImplicitFlowField* filter, vtkDataSet* field, int points)
 {
   double bounds[6];
@@ -54,7 +55,7 @@ void SetImage(vtkImplicitFlowField* filter, vtkDataSet* field, int points)
   filter->SetSampleDimensions(numbers[0], numbers[1], numbers[2]);
 }
 
-/// Returns the columns and rows of an image with the aspect ratio of the plane.
+/// Computes the width and height in pixels of an image with the aspect ratio of the plane.
 void GetPageSize(vtkTerminationPlane* plane, int size[2])
 {
   constexpr double longest = 512.0;
@@ -107,7 +108,7 @@ int main(int argc, char* argv[])
     std::cerr << argv[1] << " does not contain a dataset.\n";
     return EXIT_FAILURE;
   }
-  // This surface finds the inflow of the field by itself.
+  // This surface is placed automatically where the flow enters the field.
   vtkNew<vtkTerminationInflow> inflow;
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputConnection(reader->GetOutputPort());
@@ -120,7 +121,7 @@ int main(int argc, char* argv[])
   {
     return EXIT_FAILURE;
   }
-  // Each error in the report has three entries: the mean, the 99th percentile and the maximum.
+  // Each error in the report has three entries: mean, 99th percentile and maximum.
   vtkInterlumeReport* report = filter->GetReport();
   std::cout << "Interpolation between samples: the mean error is "
             << report->GetNumber("SamplingErrorU") << " in u and "

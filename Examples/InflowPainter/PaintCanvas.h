@@ -23,7 +23,7 @@ public:
     /// Radius in pixels. Pixels whose centers are within half a pixel of the brush's edge are
     /// partly covered.
     double Radius = 14.0;
-    /// Red, green, blue and opacity, 0 to 1. Opacity 0 erases.
+    /// Red, green, blue and opacity, each in [0, 1]. Opacity 0 erases.
     std::array<double, 4> Color{ { 0.9, 0.13, 0.13, 0.7 } };
   };
 
@@ -31,7 +31,7 @@ public:
 
   /// Returns the painted image. Each change increases its modification time.
   vtkImageData* GetPaint() const { return this->Paint; }
-  /// Returns the painted image on a white background, RGB.
+  /// Returns the painted image on a white background, as RGB.
   vtkImageData* GetPage() const { return this->Page; }
 
   /// Saves the current state for Undo(). Call it before each change that can be undone.
@@ -56,7 +56,7 @@ private:
   /// Maximum number of steps that can be undone.
   static constexpr std::size_t MaximumSteps = 50;
 
-  /// Copies the given columns and rows of the paint, both bounds included, to the page.
+  /// Updates a range of columns and rows of the page from the paint. The bounds are inclusive.
   void UpdatePage(int firstColumn, int lastColumn, int firstRow, int lastRow);
   void UpdateEntirePage();
 

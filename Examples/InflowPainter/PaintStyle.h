@@ -7,8 +7,8 @@
 class PainterWindow;
 
 /**
- * Interactor style that paints while the left button is pressed on the page, and otherwise moves a
- * trackball camera. All keys except q are passed to the painter.
+ * Interactor style that paints while the left button is held down on the page, and otherwise works
+ * like a trackball camera style. All keys except q are passed to the painter.
  */
 class PaintStyle : public vtkInteractorStyleTrackballCamera
 {

@@ -38,7 +38,7 @@ namespace
 {
 constexpr int WindowWidth = 1200;
 constexpr int WindowHeight = 600;
-/// Position of the border between the page and the flow view, as a fraction of the window width.
+/// Position of the divider between the page and the flow view, as a fraction of the window width.
 constexpr double Border = 0.46;
 constexpr double Ink[3] = { 0.2, 0.22, 0.26 };
 constexpr double SmallestBrush = 1.0;
@@ -98,8 +98,8 @@ void PainterWindow::ShowPage()
 
 void PainterWindow::PlacePage(int columns, int rows, vtkTerminationSurface* surface)
 {
-  // Rotate the page by multiples of 90 degrees to match the orientation of its surface in the right
-  // view.
+  // Rotate the page by a multiple of 90 degrees to match the orientation of the termination surface
+  // in the right view.
   double corners[3][3];
   const double parameters[3][2] = { { 0.5, 0.5 }, { 0.51, 0.5 }, { 0.5, 0.51 } };
   for (int i = 0; i < 3; ++i)
@@ -152,7 +152,7 @@ void PainterWindow::ShowFlow(vtkImageData* flow, vtkTerminationSurface* surface)
   this->Mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, this->Canvas.GetPaint());
   vtkNew<vtkVolume> volume;
   volume->SetMapper(this->Mapper);
-  // The opacity of the paint refers to a distance of a twentieth of the field's diagonal.
+  // The opacity of the paint is defined for a distance of a twentieth of the field's diagonal.
   volume->GetProperty()->SetScalarOpacityUnitDistance(0.05 * flow->GetLength());
   this->Right->AddVolume(volume);
 

@@ -57,7 +57,7 @@ public:
   void BeginStroke(int x, int y);
   void ContinueStroke(int x, int y);
   void EndStroke() { this->Painting = false; }
-  /// Handles a key. Returns false if the key has no function.
+  /// Handles a key. Returns false if the key is not assigned.
   bool HandleKey(char key);
   /// If \a isCoarse is true, renders the flow at reduced resolution, for interaction.
   void SetCoarse(bool isCoarse);

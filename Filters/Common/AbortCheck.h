@@ -14,8 +14,8 @@ namespace interlume
  */
 namespace AbortCheck
 {
-/// Marks the outputs as not generated, so that the next update executes again. Returns 1, the
-/// value for RequestData to return.
+/// Marks the outputs as not generated, so that the next update executes the algorithm again.
+/// Returns 1, which RequestData should return.
 inline int Leave(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)

@@ -17,7 +17,7 @@ namespace interlume
  */
 namespace ArrayMatch
 {
-/// First character of the keys of unnamed arrays.
+/// First character of the keys that GetKey returns for unnamed arrays.
 constexpr char KeyMark = '\x1f';
 
 inline bool HasName(vtkAbstractArray* array)
@@ -25,8 +25,8 @@ inline bool HasName(vtkAbstractArray* array)
   return array->GetName() && *array->GetName();
 }
 
-/// Returns a key that corresponding arrays share: the name, or the attribute type or position of an
-/// unnamed array.
+/// Returns a key that is the same for corresponding arrays: the name, or for an unnamed array its
+/// attribute type or position.
 inline std::string GetKey(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
 {
   if (HasName(array))
@@ -67,7 +67,7 @@ inline vtkAbstractArray* Find(
   return nullptr;
 }
 
-/// Clears array names that are keys of unnamed arrays.
+/// Removes the names of arrays that were named by their keys because they had no name.
 inline void RemoveKeys(vtkDataSetAttributes* attributes)
 {
   for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)

@@ -37,7 +37,7 @@ public:
     }
   }
 
-  /// Return the values. One of the two pointers is null, depending on the type of the values.
+  /// Return the values as float or double. The pointer to the other type is null.
   const float* GetFloats() const { return this->Floats; }
   const double* GetDoubles() const { return this->Doubles; }
 

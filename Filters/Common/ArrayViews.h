@@ -13,8 +13,8 @@ namespace interlume
  */
 namespace ArrayViews
 {
-/// Returns the array itself if its class is \a Array, otherwise a copy of that class. \a Array is a
-/// vtkAOSDataArrayTemplate.
+/// Returns the array itself if its class is \a Array, otherwise a copy in a new \a Array. \a Array
+/// is a vtkAOSDataArrayTemplate.
 template <typename Array>
 vtkSmartPointer<Array> Get(vtkDataArray* array)
 {

@@ -24,10 +24,10 @@ namespace interlume
 {
 
 /**
- * Reads and writes files of VTK's XML formats atomically. A file is written under a temporary name
- * and then renamed. If the process is killed while writing, the previous file remains. A comment at
- * the end of the file contains a digest of the preceding bytes, so that damage is detected before a
- * reader parses the file. File names are in UTF-8, as in VTK.
+ * Reads files in VTK's XML formats, and writes them atomically. A file is written under a temporary
+ * name and then renamed. If the process is killed while writing, the previous file remains intact.
+ * A comment at the end of the file contains a digest of the preceding bytes, so that damage is
+ * detected before a reader parses the file. File names are in UTF-8, as in VTK.
  */
 namespace AtomicFiles
 {
@@ -80,8 +80,8 @@ inline bool CanWrite(const std::string& fileName)
   return can;
 }
 
-/// Computes the last line that a sealed file must have: a comment with the digest of the first \a
-/// bytes bytes. Returns an empty string if the file is shorter than \a bytes.
+/// Returns the last line of a sealed file: a comment with the digest of all preceding bytes, whose
+/// number is \a bytes. Returns an empty string if the file is shorter.
 inline std::string GetLastLine(const std::string& fileName, std::uintmax_t bytes)
 {
   std::ifstream file(GetPath(fileName), std::ios::in | std::ios::binary);
@@ -128,7 +128,7 @@ inline bool IsSealed(const std::string& fileName)
     line == GetLastLine(fileName, before);
 }
 
-/// Suppresses the messages of a reader or writer. The caller reports failures itself.
+/// Suppresses the messages of a reader or writer. The caller must report failures itself.
 inline void Silence(vtkAlgorithm* algorithm)
 {
   vtkNew<vtkCallbackCommand> silence;
@@ -137,7 +137,7 @@ inline void Silence(vtkAlgorithm* algorithm)
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
 }
 
-/// Writes the input of a writer, compressed and base64-encoded. Appended data is not used, since
+/// Writes the input of \a writer, compressed and base64-encoded. Appended data is not used, since
 /// ParaView 5.11 cannot read it with expat 2.5.0-1+deb12u2 of Debian 12. Returns false on failure.
 inline bool Write(vtkXMLWriter* writer, const std::string& fileName)
 {

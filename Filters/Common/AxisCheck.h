@@ -13,7 +13,7 @@ namespace interlume
 
 /**
  * @class   AxisCheck
- * @brief   finds where coordinates along an axis of a rectilinear grid are not monotonic
+ * @brief   finds where the coordinates of a rectilinear grid are not strictly monotonic
  *
  * The first and the last coordinate determine whether the coordinates must ascend or descend.
  * Coordinates that are not finite are ignored.
@@ -25,7 +25,7 @@ struct AxisCheck
   /// Index of the coordinate at the end of the first such step, or -1.
   vtkIdType First = -1;
 
-  /// Checks the first \a number coordinates. \a number must be above 0.
+  /// Checks the first \a number coordinates. \a number must be positive.
   static AxisCheck Find(vtkDataArray* coordinates, vtkIdType number)
   {
     AxisCheck found;

@@ -27,14 +27,14 @@ struct Blanking
     this->PointGhosts = data->GetPointGhostArray();
   }
 
-  /// Returns whether a cell is excluded: it is a duplicate, refined or hidden cell.
+  /// Returns whether a cell is excluded because it is a duplicate, refined or hidden cell.
   bool IsCellBlanked(vtkIdType cell) const
   {
     return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL | Hidden);
   }
   /// Returns whether a cell is a refined or hidden cell.
   bool IsCellHidden(vtkIdType cell) const { return this->HasCell(cell, Hidden); }
-  /// Returns whether a cell is a duplicate of a cell of another piece.
+  /// Returns whether a cell is a duplicate of a cell in another piece.
   bool IsCellDuplicate(vtkIdType cell) const
   {
     return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL);
@@ -54,7 +54,7 @@ struct Blanking
       return last;
     }
     const unsigned char* marks = this->CellGhosts->GetPointer(0);
-    // Eight cells are tested at a time, since most cells have no ghost value.
+    // Eight cells are tested at a time, since the ghost value of most cells is 0.
     std::uint64_t eight = 0;
     constexpr vtkIdType number = sizeof(eight);
     for (; last - first >= number; first += number)

@@ -26,8 +26,8 @@ enum class ErrorCode
  *
  * Like std::error_code, an Error converts to true if there is an error:
  * `if (Error error = this->ReadArrays(input)) { return error; }`.
- * To report an error, a function returns a message, and a code unless the code is InvalidInput. An
- * empty message means no error.
+ * To report an error, a function returns a message, which implies the code InvalidInput, or an
+ * Error with another code. An empty message means no error.
  */
 class [[nodiscard]] Error
 {
@@ -49,7 +49,7 @@ public:
   const std::string& GetMessage() const& { return this->Message; }
   std::string GetMessage() && { return std::move(this->Message); }
 
-  /// Returns this error or, if there is none, the error of the next step.
+  /// Returns this error or, if there is none, the result of calling \a step.
   template <typename Step>
   Error Then(Step&& step) const
   {

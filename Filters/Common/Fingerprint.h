@@ -77,8 +77,8 @@ public:
     data->AddArray(texts);
   }
 
-  /// Compares with the arrays in \a data. Returns the names of all parameters that differ, or an
-  /// empty string if none differs.
+  /// Compares the parameters with those stored in \a data. Returns the names of all that differ,
+  /// with their values if short, or an empty string if none differs.
   std::string Compare(vtkFieldData* data) const
   {
     auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray(NamesArray));
@@ -93,7 +93,7 @@ public:
       {
         continue;
       }
-      // Only short values are printed, since digests and printed objects are not informative.
+      // Only short values are included, since digests and printed objects are not informative.
       constexpr std::size_t maximumLength = 24;
       const bool isPrinted =
         isStored && stored.size() <= maximumLength && text.size() <= maximumLength;

@@ -9,7 +9,7 @@ namespace interlume
 {
 
 /**
- * Checks of numeric settings.
+ * Checks numeric settings.
  */
 namespace FiniteNumbers
 {

@@ -30,14 +30,16 @@ namespace interlume
 
 /**
  * Checks that the arrays of a grid are consistent, so that no code reads past their ends. A damaged
- * file may contain inconsistent arrays. Finds cells with point ids out of range, with too few
- * points for their type, or with decreasing offsets, structured grids with fewer points or
- * coordinates than their extent requires, and polyhedra without faces.
+ * file may contain inconsistent arrays. These grids fail the check:
+ * - unstructured grids with point ids out of range, decreasing offsets, cells with fewer points
+ *   than their type requires, or polyhedra without faces
+ * - structured grids whose number of points does not match the extent
+ * - rectilinear grids with fewer coordinates than the extent requires
  */
 namespace GridCheck
 {
-/// Returns the minimum number of points of cell types with a variable number of points: polygons
-/// and similar cells, and cells of arbitrary order. Returns 0 for other types.
+/// Returns the minimum number of points of a cell type that allows different numbers, such as
+/// VTK_POLYGON or VTK_LAGRANGE_WEDGE. Returns 0 for other types.
 inline int GetMinimumCorners(unsigned char type)
 {
   switch (type)
@@ -83,8 +85,8 @@ inline int GetMinimumCorners(unsigned char type)
   }
 }
 
-/// Returns the minimum number of points of a cell type. Each type is examined at its first use,
-/// since instantiating a cell of every type takes longer than checking a small grid.
+/// Returns the minimum number of points of a cell type. Each type is examined on first use, since
+/// instantiating a cell of every type takes longer than checking a small grid.
 inline vtkIdType GetMinimumSize(unsigned char type)
 {
   // The minimum size plus one, or 0 if the type has not been examined yet.
@@ -159,8 +161,8 @@ private:
   }
 };
 
-/// Returns whether the cells first ... last - 1 are valid. \a all is the size of the connectivity
-/// array. Sets \a hasPolyhedra if a cell is a polyhedron.
+/// Returns whether the cells in [\a first, \a last) are valid. \a all is the size of the
+/// connectivity array. Sets \a hasPolyhedra if a cell is a polyhedron.
 template <typename Offset, typename Id>
 bool AreValid(vtkIdType first, vtkIdType last, const unsigned char* types, const Offset* offsets,
   const Id* ids, vtkIdType all, vtkIdType points, std::atomic<bool>& hasPolyhedra)
@@ -189,8 +191,8 @@ bool AreValid(vtkIdType first, vtkIdType last, const unsigned char* types, const
   {
     return false;
   }
-  // The highest bit is set in a negative id, and in the largest valid id minus an id that exceeds
-  // it. Combining these bits without branches vectorizes.
+  // The highest bit is set in a negative id, and in the largest valid id minus an id that is too
+  // large. Without branches, the loop vectorizes.
   const Bits largest =
     static_cast<Bits>(std::min(points - 1, static_cast<vtkIdType>(std::numeric_limits<Id>::max())));
   Bits bits = 0;
@@ -252,7 +254,7 @@ inline Error FindFaceError(vtkUnstructuredGrid* grid, vtkIdType cell)
     return describe(
       ArrayCheck::Count(faces, "face") + "; " + std::to_string(minimumFaces) + " are needed");
   }
-  // The number of faces is followed, for each face, by its number of points and its points.
+  // The stream contains the number of faces and, for each face, the number of points and their ids.
   for (vtkIdType i = 1; i < stream->GetNumberOfIds(); i += stream->GetId(i) + 1)
   {
     const vtkIdType end = std::min(i + 1 + stream->GetId(i), stream->GetNumberOfIds());

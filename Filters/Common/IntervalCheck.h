@@ -13,7 +13,7 @@ namespace interlume
 
 namespace IntervalCheck
 {
-/// Returns an error, as a sentence that starts with \a name, if lower ... upper is not a valid
+/// Returns an error, as a sentence that starts with \a name, if [\a lower, \a upper] is not a valid
 /// interval.
 inline Error FindError(const std::string& name, double lower, double upper)
 {

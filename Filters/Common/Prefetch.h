@@ -15,7 +15,7 @@ struct Prefetch
   {
 #if defined(__GNUC__)
     __builtin_prefetch(address);
-    // Without this statement, GCC treats functions that only prefetch as having no effect.
+    // Without this statement, GCC removes calls to functions that only prefetch.
     __asm__ volatile("");
 #endif
   }

@@ -37,7 +37,7 @@ public:
   {
   }
 
-  /// Adds values to a report. Values of the same name are replaced.
+  /// Adds values to a report. Existing values with the same names are replaced.
   static void Add(vtkInterlumeReport* report, std::initializer_list<ReportValue> values)
   {
     for (const ReportValue& value : values)
@@ -51,7 +51,8 @@ public:
       }
     }
   }
-  /// Replaces all values of a report.
+  /// Replaces all values of a report. If the first names in the report match, the values after them
+  /// remain, so that a subsequent Add() can reuse their arrays.
   static void Set(vtkInterlumeReport* report, std::initializer_list<ReportValue> values)
   {
     if (!BeginsWith(report, values))

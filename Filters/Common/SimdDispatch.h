@@ -26,8 +26,8 @@ namespace interlume
 class SimdDispatch
 {
 public:
-  /// Calls \a work with \a arguments, compiled for AVX2 if the processor has it. Products and sums
-  /// are not fused, so that results are the same on all processors.
+  /// Calls \a work with \a arguments, compiled for AVX2 if the processor supports it. Products and
+  /// sums are not fused, so that results are the same on all processors.
   template <typename Work, typename... Arguments>
   static decltype(auto) Call(Work&& work, Arguments&&... arguments)
   {
@@ -43,7 +43,7 @@ public:
                              : CallForAny(work, std::forward<Arguments>(arguments)...);
   }
 
-  /// Sets whether AVX2 is used if the processor has it, so that tests can run both versions.
+  /// Sets whether AVX2 is used if the processor supports it, so that tests can run both versions.
   static void UseAvx2(bool isUsed) { HasAvx2 = isUsed && INTERLUME_HAS_TARGET("avx2"); }
 
 private:

@@ -21,7 +21,8 @@
 namespace interlume
 {
 
-/// Vector types of two or four lanes: doubles, masks (all bits of a lane set or clear), and bits.
+/// Vector types with two or four lanes: doubles, masks (all bits of a lane are set or clear), and
+/// unsigned integers for bit operations.
 template <int Width>
 struct SimdTypes;
 
@@ -43,10 +44,10 @@ INTERLUME_SIMD_TYPES(4)
  * @class   SimdPack
  * @brief   a SIMD vector of two or four doubles
  *
- * Each operation acts lane by lane with exactly the result of double arithmetic. With AVX2 an
- * operation on four lanes is one instruction, otherwise two or four. Compile code that uses it with
+ * In each lane, an operation gives exactly the same result as for a double. With AVX2 an operation
+ * on four lanes is one instruction, otherwise two or four. Compile code that uses this class with
  * -ffp-contract=off, so that no operations are fused. Eight lanes are not supported, since
- * compilers compare them one by one and two vectors of four are as fast.
+ * compilers compare their lanes one by one, and two vectors of four lanes are as fast.
  */
 template <int Width>
 struct SimdPack
@@ -60,8 +61,8 @@ struct SimdPack
   alignas(Size) Numbers Values;
 
   SimdPack() = default;
-  /// Copies the vector as a unit. Compilers would copy the structure in halves, which stalls a
-  /// subsequent load of the vector.
+  /// The constructors and the assignment copy the whole vector at once. By default, compilers copy
+  /// the structure in halves, which stalls a subsequent load of the vector.
   [[gnu::always_inline]] SimdPack(const Numbers& values)
     : Values(values)
   {
@@ -77,7 +78,7 @@ struct SimdPack
   }
 
   [[gnu::always_inline]] static SimdPack Of(double value) { return { value - Numbers{} }; }
-  /// Sets the lanes to get(0), get(1), ...
+  /// Returns a pack with the lanes get(0), get(1), ...
   template <typename Get>
   [[gnu::always_inline]] static SimdPack OfEach(Get&& get)
   {
@@ -92,7 +93,7 @@ struct SimdPack
   {
     return { mask ? a.Values : b.Values };
   }
-  /// Like std::min and std::max, return the first value if neither is smaller.
+  /// Like std::min and std::max, return the first argument if neither is smaller.
   [[gnu::always_inline]] static SimdPack Min(const SimdPack& a, const SimdPack& b)
   {
     return { b.Values < a.Values ? b.Values : a.Values };

@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   StageProgress
- * @brief   a range of an algorithm's progress, reported at the end of stages
+ * @brief   reports the progress of one part of an algorithm's execution
  *
  * Without an owner, progress is not reported and the execution cannot be aborted. Use it only in
  * the thread that executes the owner.
@@ -18,7 +18,7 @@ class StageProgress
 {
 public:
   StageProgress() = default;
-  /// Maps progress from 0 to 1 to the range from \a start to \a end in the progress of \a owner.
+  /// Maps progress in [0, 1] to the range [\a start, \a end] of the progress of \a owner.
   StageProgress(vtkAlgorithm* owner, double start, double end)
     : Owner(owner)
     , Start(start)
@@ -26,8 +26,7 @@ public:
   {
   }
 
-  /// Returns the subrange from \a start to \a end, where 0 is the start of this range and 1 its
-  /// end.
+  /// Returns the subrange [\a start, \a end], where 0 is the start of this range and 1 its end.
   StageProgress GetPart(double start, double end) const
   {
     return { this->Owner, this->Start + start * this->Length, this->Start + end * this->Length };

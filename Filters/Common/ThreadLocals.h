@@ -16,7 +16,8 @@ namespace interlume
  *
  * Each vtkSMPThreadLocal allocates storage for all of its backends and queries the number of
  * processors, which reads a file. This class stores only the values of threads that called Local(),
- * in a linked list. The list is short, and each thread calls Local() once for many items.
+ * in a linked list. Searching the list takes little time, since it is short and each thread calls
+ * Local() only once for many items.
  */
 template <typename T>
 class ThreadLocals

@@ -14,8 +14,8 @@ namespace interlume
 {
 
 /**
- * Vector functions that GLM does not provide, for `glm::dvec3`. Use `glm::make_vec3` to convert
- * pointers to three numbers.
+ * Functions for `glm::dvec3` that GLM does not provide. To convert a `const double*` to a
+ * `glm::dvec3`, use `glm::make_vec3`.
  */
 namespace Vectors
 {
@@ -47,8 +47,8 @@ inline double SafeLength(const glm::dvec3& v)
   return largest * std::sqrt(glm::dot(scaled, scaled));
 }
 
-/// Returns the scalar product. Inlining is forced, since GCC does not inline it in the large
-/// functions of advection.
+/// Returns the scalar product. Inlining is forced, since GCC does not inline this function into the
+/// large functions of advection.
 [[gnu::always_inline]] inline double Dot(const double* a, const double* b)
 {
   return glm::dot(glm::make_vec3(a), glm::make_vec3(b));
@@ -59,8 +59,7 @@ inline glm::dvec3 Difference(const double* a, const double* b)
   return glm::make_vec3(a) - glm::make_vec3(b);
 }
 
-/// Returns six times the signed volume of the tetrahedron a, b, c, d, which is positive if (b-a) .
-/// (c-a) x (d-a) is positive.
+/// Returns six times the signed volume of a tetrahedron: the triple product of b-a, c-a and d-a.
 inline double SixVolumes(const double* a, const double* b, const double* c, const double* d)
 {
   return glm::dot(Difference(b, a), glm::cross(Difference(c, a), Difference(d, a)));

@@ -27,10 +27,10 @@ public:
   /// Print one line `Name: value` per value.
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Return whether the report has a value of that name.
+  /// Return whether the report has a value with the given name.
   bool Has(const std::string& name) { return this->GetAbstractArray(name.c_str()) != nullptr; }
 
-  /// Return the number of entries of a value, or 0 if there is no value of that name.
+  /// Return the number of entries of a value, or 0 if there is no value with the given name.
   vtkIdType GetSize(const std::string& name);
 
   ///@{
@@ -43,8 +43,8 @@ public:
   std::string GetText(const std::string& name, vtkIdType entry = 0);
   ///@}
 
-  /// Return whether two reports have the same names in the same order, with equal values. NaN
-  /// equals NaN.
+  /// Return whether \a other has the same names in the same order, with equal values. NaN equals
+  /// NaN.
   bool IsEqual(vtkInterlumeReport* other);
 
 protected:

@@ -51,9 +51,9 @@ public:
 
   /// Type of a critical point, determined by the signs of the real parts of its eigenvalues.
   /// Spirals have a complex-conjugate pair. A real or imaginary part below 1e-9 of the largest
-  /// absolute value counts as 0. A zero real part makes the point DEGENERATE, or a CENTER if the
-  /// pair is imaginary. The point is also DEGENERATE if the Jacobian is singular or the cell has no
-  /// volume.
+  /// eigenvalue's magnitude counts as 0. A zero real part makes the point DEGENERATE, or a CENTER
+  /// if the pair is imaginary. The point is also DEGENERATE if the Jacobian is singular or the cell
+  /// has no volume.
   enum Types
   {
     DEGENERATE = 0,

@@ -150,8 +150,8 @@ private:
   vtkFlowLIC(const vtkFlowLIC&) = delete;
   void operator=(const vtkFlowLIC&) = delete;
 
-  /// Sets the lengths and the number of steps in the report. Returns an error if there are too many
-  /// steps.
+  /// Determines the lengths and the number of steps, and stores them in the report. Returns an
+  /// error if there are too many steps.
   interlume::Error FindSteps(vtkDataSet* points, interlume::FlowLICReport& report) const;
   template <typename Walker>
   void Convolve(

@@ -9,7 +9,7 @@
  * @class   vtkFlowStatus
  * @brief   status values and array names of an implicit flow field
  *
- * Check the status before reading any other array. The other arrays have meaning only for
+ * Check the status before reading any other array. The other arrays are meaningful only for
  * REACHED_SURFACE, except AdvectionTime, which is the time until the end of the streamline for any
  * status.
  */
@@ -83,9 +83,9 @@ public:
    * Names of the field arrays with the interpolation error between samples
    * (vtkImplicitFlowField::SetSamplingChecks). SamplingChecks (vtkIdType, one tuple): the number of
    * checked cells (Checks), of cells whose corners differ in their results (SplitCells), of cells
-   * whose center differs from most corners (DifferentMiddles), and of cells with a measured error
-   * (Compared). SamplingErrors (double, three tuples: mean, 99th percentile, largest): the errors
-   * of u, v and time.
+   * whose center differs from most corners in its result (DifferentMiddles), and of cells with a
+   * measured error (Compared). SamplingErrors (double, three tuples: mean, 99th percentile,
+   * largest): the errors of u, v and time.
    */
   static const char* SamplingChecksArray() { return "SamplingChecks"; }
   static const char* SamplingErrorsArray() { return "SamplingErrors"; }

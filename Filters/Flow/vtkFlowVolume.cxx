@@ -68,7 +68,8 @@ vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIntArray* items, vtkId
   return ids;
 }
 
-// Adds a cell array with the values \a get(item).
+// Adds a cell array with the value \a get(item) for each cell, where item is the cell's value in \a
+// items, or 0 if \a items is null.
 template <typename Get>
 void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, const Get& get)
 {
@@ -141,8 +142,8 @@ void ChooseScalars(vtkUnstructuredGrid* output)
                                                                       : vtkFlowStatus::TimeArray());
 }
 
-// Returns the range of AdvectionTime of samples that reached a surface. If there are none, lower is
-// above upper.
+// Returns the range of AdvectionTime of samples that reached a surface. If there are none, the
+// lower bound is above the upper bound.
 interlume::SurfaceLevels::Interval GetReachedTimes(
   vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays)
 {
@@ -160,7 +161,8 @@ interlume::SurfaceLevels::Interval GetReachedTimes(
   return range;
 }
 
-// Returns the range of the finite values of a point array. If there are none, lower is above upper.
+// Returns the range of the finite values of a point array. If there are none, the lower bound is
+// above the upper bound.
 interlume::SurfaceLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
 {
   interlume::SurfaceLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };

@@ -40,10 +40,10 @@ struct FlowVolumeReport;
  *
  * Skipped cells, most of which the report counts:
  * - Cells with corners of different FlowStatus or TerminationId, and cells on a seam where the
- *   mapping is discontinuous. A cell is on a seam if its parameters differ by more than half a
- *   period. On seams where the mapping is continuous (InflowPeriodic; all seams if there is no
- *   Inflow), parameters are unwrapped on duplicated points and exceed 1. Polyhedra on seams are
- *   skipped.
+ *   mapping is discontinuous. A cell is on a seam if the parameters of its corners differ by more
+ *   than half a period. On seams where the mapping is continuous (InflowPeriodic; all seams if
+ *   there is no Inflow), parameters are unwrapped on duplicated points and exceed 1. Polyhedra on
+ *   seams are skipped.
  * - Cells in which time jumps on a termination surface. If the input has far-side samples, such
  *   cells, and cells whose corners differ only because a surface crosses them, are cut at the
  *   surface, and each side is extracted separately.

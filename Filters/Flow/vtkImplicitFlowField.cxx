@@ -306,13 +306,13 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   interlume::Error error;
   const bool isDistributed =
     this->IsDistributed(inputs, outputs, error) && !this->IsPartitionErrorKnown();
-  // The pipeline splits the extent by piece number and number of pieces.
+  // Request the whole extent. The pipeline splits it by piece number and number of pieces.
   if (field->Has(Pipeline::WHOLE_EXTENT()))
   {
     field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  // With ghost levels, the output has samples at points of the field outside the partition, with
-  // their arrays.
+  // If the output needs ghost levels, so does the field: samples outside the partition get their
+  // point arrays from field points there.
   const int levels =
     outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
   field->Set(
@@ -337,7 +337,7 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   }
   else if (samples->Has(Pipeline::WHOLE_EXTENT()))
   {
-    // The pipeline has set the update extent of the output, which may exceed the whole extent of
+    // The pipeline has copied the update extent of the output, which may exceed the whole extent of
     // the samples.
     samples->Set(Pipeline::UPDATE_EXTENT(), samples->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
@@ -438,7 +438,7 @@ int vtkImplicitFlowField::RequestData(
   execution.Report.Executions = this->Executions;
   execution.Report.CopyTo(this->Report);
   this->UsedSurfaces.clear();
-  // Image data retain their active scalars between executions.
+  // Image data would otherwise retain their active scalars between executions.
   execution.Output->Initialize();
   Outcome outcome = Outcome::COMPLETE;
   for (const auto step : { &vtkImplicitFlowField::CheckInput, &vtkImplicitFlowField::FindField,
@@ -526,7 +526,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& ex
   }
   execution.Error =
     this->SetSamples(execution).Then([&] { return this->PlaceSurfaces(execution); });
-  // Here every process reports only its own error.
+  // Every process reports only its own error, but all processes fail if any has one.
   const bool hasError(execution.Error);
   return (ranks ? ranks->GetExchange().IsAnywhere(hasError) : hasError) ? Outcome::FAILED
                                                                         : Outcome::COMPLETE;

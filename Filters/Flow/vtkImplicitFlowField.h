@@ -107,12 +107,13 @@ public:
   ///@{
   /**
    * If true, the outer faces of the field are termination surfaces too. On an image, a rectilinear
-   * or a structured grid they have the ids DomainFaceId + 0 ... 5 for -i, +i, -j, +j, -k, +k. Their
-   * (u,v) are the other two grid directions, as fractions of the grid. An unstructured grid or
-   * composite input has one surface per boundary patch. Patches are bounded by edges sharper than
-   * 30 degrees and numbered DomainFaceId + 0, 1, ... by their first cell. Their (u,v) are the two
-   * axes least aligned with the patch normal, as fractions of the patch's bounds. The field array
-   * TerminationSurfaces lists the ids. Default: off, 1000. Valid ids: 0 to 1000000000; clamped.
+   * or a structured grid, the faces have the ids DomainFaceId + 0 ... 5 for -i, +i, -j, +j, -k, +k.
+   * Their (u,v) are the other two grid directions, as fractions of the grid. An unstructured grid
+   * or composite input has one surface per boundary patch. Patches are bounded by edges sharper
+   * than 30 degrees and numbered DomainFaceId + 0, 1, ... by their first cell. Their (u,v) are the
+   * two axes least aligned with the patch normal, as fractions of the patch's bounds. The field
+   * array TerminationSurfaces lists the ids. Default: off, 1000. Valid ids: 0 to 1000000000;
+   * clamped.
    */
   vtkSetMacro(DomainFaces, bool);
   vtkGetMacro(DomainFaces, bool);
@@ -160,9 +161,9 @@ public:
 
   ///@{
   /**
-   * Number of points of the image along each axis, and its bounds in world units. Empty bounds
-   * (lower above upper) select the bounds of the field. Default: 64, 64, 64; empty. Valid
-   * dimensions: 1 to 100000; clamped.
+   * Number of points of the image of SAMPLES_OF_IMAGE along each axis, and its bounds in world
+   * units. Empty bounds (lower above upper) select the bounds of the field. Default: 64, 64, 64;
+   * empty. Valid dimensions: 1 to 100000; clamped.
    */
   void SetSampleDimensions(int x, int y, int z);
   vtkGetVector3Macro(SampleDimensions, int);
@@ -256,10 +257,10 @@ public:
 
   ///@{
   /**
-   * Distance within which a streamline that ends at the boundary of the field has reached a
-   * surface, in units of the cell width there. Without a tolerance, rounding would decide whether
-   * streamlines reach a surface on the boundary of the field. The deviation of the boundary face
-   * from a plane and the rounding error of single-precision coordinates are added to it. It is
+   * Distance within which a streamline that ends at the boundary of the field counts as having
+   * reached a surface, in units of the cell width there. Without a tolerance, rounding would decide
+   * whether streamlines reach a surface on the boundary of the field. The deviation of the boundary
+   * face from a plane and the rounding error of single-precision coordinates are added to it. It is
    * reduced for surfaces that cross the face. 0: streamlines must cross the surface. Default: 0.01.
    * Valid: 0 to 1; clamped.
    */
@@ -367,7 +368,7 @@ public:
   vtkMultiProcessController* GetController() const;
   ///@}
 
-  /// Return the modification time, including the surfaces.
+  /// Return the modification time of the filter and its surfaces.
   vtkMTimeType GetMTime() override;
 
   ///@{
@@ -422,7 +423,7 @@ private:
   /// modified, later updates request the whole field immediately (IsPartitionErrorKnown).
   /// MustRequestWholeField returns true if this process must request the whole field because
   /// another process already did. Otherwise, if this process holds the whole field, it sets \a
-  /// error to the reason. It is collective, except in the second execution.
+  /// error to the reason. The call is collective, except in the second execution.
   bool IsPartitionErrorKnown();
   vtkMTimeType GetInputTime();
   bool MustRequestWholeField(vtkInformation* request, interlume::Error& error);

@@ -4,7 +4,7 @@
 
 /**
  * @class   vtkInflowKind
- * @brief   kinds of mappings of vtkInflowMapping
+ * @brief   kinds of mapping in vtkInflowMapping
  *
  * @sa vtkInflowMapping
  */

@@ -33,7 +33,7 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Evaluators of one thread.
+// Evaluators of one thread, by mapping.
 using EvaluatorMap =
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>;
 
@@ -235,8 +235,7 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
   {
     return false;
   }
-  // Each row of values runs from one side of the seam, across the parameter range, to the other
-  // side.
+  // The first and the last value of each row are at the same point, on opposite sides of the seam.
   double lowest = VTK_DOUBLE_MAX;
   double highest = -VTK_DOUBLE_MAX;
   double largestJump = 0.0;
@@ -271,7 +270,7 @@ int vtkInflowMapping::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
-  // Image data retain their active scalars between executions.
+  // Otherwise, image data would keep the active scalars of the previous execution.
   output->Initialize();
   SetReport(this->Report);
   interlume::ImplicitFlowArrays arrays;

@@ -26,22 +26,25 @@ class InflowFunction;
  * @class   vtkInflowMapping
  * @brief   map a function on the termination surfaces to every sample of an implicit flow field
  *
- * Computes Inflow(x) = Phi_f(u(x), v(x)), where (f,u,v) is the end of the streamline through x, and
- * Phi_f is the mapping of id f. The level sets of Inflow are stream surfaces, and the region
- * between two values is a stream volume; no advection is needed. Each id has its own mapping or the
- * mapping of ALL. See Documentation/methods/flow-volumes.md.
+ * Computes Inflow(x) = Phi_f(u(x), v(x)). The streamline through x ends on the termination surface
+ * with id f, at the parameters (u,v), and Phi_f is the mapping of that id. The level sets of Inflow
+ * are stream surfaces, and the region between two values is a stream volume; no advection is
+ * needed. An id without its own mapping uses the mapping of ALL. See
+ * Documentation/methods/flow-volumes.md.
  *
  * Input: the output of vtkImplicitFlowField. Output: the input with the point array `Inflow`
  * (double) as active scalars. Inflow is NaN where the status is not REACHED_SURFACE, the id has no
- * mapping, or the formula is not finite. The field array `InflowPeriodic` (int, 3 components: id,
- * u, v) marks for each id in use the seams across which the mapping is continuous: at 33 positions
- * along the seam, the values on both sides differ by at most 1e-6 of the mapping's range. The
- * output is identical for any number of threads.
+ * mapping, or its value is not finite. The field array `InflowPeriodic` (int, 3 components: id, u,
+ * v) has one tuple per id in use. Its component u or v is 1 if the mapping is continuous across
+ * that seam, otherwise 0. A mapping counts as continuous if, at 33 positions along the seam, the
+ * values on both sides differ by at most 1e-6 of the mapping's range. The output is identical for
+ * any number of threads.
  *
  * Warnings (vtkWarningMacro, not if one of several pieces is requested): Inflow is NaN everywhere.
  *
  * Errors (vtkErrorMacro, empty output): missing arrays of vtkFlowStatus; a formula that the parser
- * rejects or whose value is a vector; an image without points or scalars, or with three dimensions.
+ * rejects or whose value is a vector; an image that has no points or scalars, or that is
+ * three-dimensional.
  *
  * @sa vtkImplicitFlowField vtkFlowVolume
  */
@@ -62,7 +65,7 @@ public:
 
   enum Ids
   {
-    /// Id of the mapping for all ids without their own mapping.
+    /// Id of the mapping that is used for all ids without their own mapping.
     ALL = -1
   };
 
@@ -75,10 +78,10 @@ public:
    *   from (centerU, centerV) in parameter space, measured the short way around in periodic
    *   directions. AddRing adds to the rings of the id;
    * - the first component of an image over u and v, which run from 0 at the first to 1 at the last
-   *   point of each axis. It is interpolated bilinearly, and repeated in periodic directions or
-   *   clamped in others. Colors (3 or 4 components of unsigned char) are converted to luminance
-   *   from 0 to 255, 0.30 R + 0.59 G + 0.11 B. u runs along the first image axis with more than one
-   *   point. Null removes the mapping.
+   *   point of an image axis. It is interpolated bilinearly, repeated in periodic directions, and
+   *   clamped in other directions. Colors (3 or 4 components of unsigned char) are converted to
+   *   luminance from 0 to 255, 0.30 R + 0.59 G + 0.11 B. u runs along the first image axis with
+   *   more than one point. Null removes the mapping.
    *
    * Setting one kind replaces a mapping of another kind. Default: the formula "u" for ALL. Valid
    * ids: ALL, and 0 or above. A ring needs a width above 0 and finite numbers. Invalid arguments
@@ -104,19 +107,19 @@ public:
   double Evaluate(int id, double u, double v, bool isPeriodicU = false, bool isPeriodicV = false);
 
   /**
-   * Return true if the mapping of an id is continuous across the seam of \a direction, 0 for u and
-   * 1 for v, as in InflowPeriodic; false if the direction is not periodic. Not thread-safe.
+   * Return true if the mapping of an id is continuous across the seam of \a direction (0: u, 1: v),
+   * by the criterion of InflowPeriodic; false if the direction is not periodic. Not thread-safe.
    */
   bool IsContinued(int id, int direction, bool isPeriodicU, bool isPeriodicV);
 
-  /// Return the modification time, including the images.
+  /// Return the modification time, including that of the images.
   vtkMTimeType GetMTime() override;
 
   /**
    * Return the report of the last execution:
-   * - Samples: points of the input,
-   * - Ids: ids of termination surfaces in use,
-   * - ContinuedSeams: seams of u and v across which the mappings are continuous.
+   * - Samples: number of input points,
+   * - Ids: number of ids of termination surfaces in use,
+   * - ContinuedSeams: number of seams across which the mappings are continuous.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -136,9 +139,9 @@ private:
   /// Returns the id's own mapping of \a kind. Creates an empty one if the id has no mapping or one
   /// of another kind. Returns null for an invalid id.
   interlume::InflowFunction* GetOrCreate(int id, int kind);
-  /// Prepares mappings that have changed. Returns an error if a mapping cannot be used.
+  /// Prepares the mappings if any of them has changed. Returns an error if one cannot be used.
   interlume::Error Prepare();
-  /// Adds the field array of Inflow for far-side samples, if there are any.
+  /// Adds the field array of the far-side samples' Inflow, if there are far-side samples.
   void MapFarSide(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
 
   std::map<int, std::shared_ptr<interlume::InflowFunction>> Mappings;

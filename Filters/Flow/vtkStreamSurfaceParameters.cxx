@@ -194,7 +194,7 @@ vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part
 interlume::Error vtkStreamSurfaceParameters::FindContours(
   interlume::StreamSurfaceTriangles& work) const
 {
-  // Levels of one id are consecutive, so that its mapping is sampled only once.
+  // Sorts the levels by id, so that the mapping of each id is sampled only once.
   std::vector<interlume::StreamSurfaceTriangles::Level*> order;
   for (interlume::StreamSurfaceTriangles::Level& level : work.Levels)
   {

@@ -26,29 +26,31 @@ class StreamSurfaceTriangles;
  * @brief   compute texture coordinates of stream surfaces: length along the inflow contour, and
  * time
  *
- * A stream surface consists of the streamlines through a contour Phi_f(u,v) = c of the mapping on a
- * termination surface. The coordinate s of a point is the arc length along that contour, in world
- * units, at the contour position nearest to the point's TerminationUV. The coordinate t is
- * AdvectionTime. Lines of constant s are streamlines, and lines of constant t are timelines.
+ * A stream surface consists of the streamlines through a contour on a termination surface, where
+ * the mapping Phi_f(u,v) of a vtkInflowMapping has a constant value. The coordinate s of a point is
+ * the arc length along that contour, in world units, at the contour position nearest to the point's
+ * TerminationUV. The coordinate t is AdvectionTime. Lines of constant s are streamlines, and lines
+ * of constant t are timelines.
  * Documentation/methods/flow-volumes.md explains the contours and their accuracy.
  *
  * Contours are traced on a grid of Resolution x Resolution squares in the parameters of each
  * termination surface in use. They may be open or closed, there may be several per value, and they
  * continue across seams where the mapping is continuous. A contour ends where
  * vtkTerminationSurface::EvaluatePoint returns false. s increases from 0 at the start of the
- * contour, with higher values of the mapping on the left in the (u,v) plane.
+ * contour, with higher values of the mapping on the left in the (u,v) plane, unless a start point
+ * reverses the contour.
  *
  * Input: triangles as on port 1 of vtkFlowVolume, with the arrays of vtkFlowStatus and the cell
  * array `Inflow` with the value of each triangle.
  *
  * Output: vtkPolyData with the points of the input, their ids and arrays, and the triangles in the
- * order of the input. Copies of points are appended to the points of the input: for triangles
- * across the start of a closed contour, where s continues past the contour's length, and for
- * triangles whose corners are nearest to different contours, which use the contour of the majority.
+ * order of the input. Copies of points are appended for two kinds of triangles: those across the
+ * start of a closed contour, where s continues past the contour's length, and those whose corners
+ * are nearest to different contours. The latter use the contour of the majority of the corners.
  * Point arrays:
  * - `StreamTexture` (double, 2 components: s and t), the active texture coordinates,
- * - `ContourId` (int); -1, and s = 0, where no contour was found because the contour is smaller
- *   than a square,
+ * - `ContourId` (int); -1, with s = 0, if the contour was not found because it is smaller than a
+ *   grid square,
  * - `vtkOriginalPointIds` (vtkIdType): the point of the input.
  *
  * Field arrays by ContourId: `ContourLength` (double, world units, unscaled), `ContourClosed`
@@ -92,10 +94,10 @@ public:
 
   ///@{
   /**
-   * Points in world units at which contours start. A closed contour starts at its position nearest
-   * to any of them. An open contour starts at whichever of its ends is closer to that position; it
-   * is reversed if that end is its last point. If there are no start points, the start is
-   * arbitrary. Default: none.
+   * Points in world units near which contours start. A closed contour starts at its position that
+   * is nearest to any start point. An open contour starts at the end that is closer, along the
+   * contour, to this position; it is reversed if this is its last point. If there are no start
+   * points, the start is arbitrary. Default: none.
    */
   void AddStartPoint(double x, double y, double z);
   void RemoveAllStartPoints();
@@ -104,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Factors of s and t in StreamTexture, such as the reciprocals of a texture's length and
-   * duration. Default: 1, 1.
+   * Factors by which s and t are multiplied in StreamTexture, such as the reciprocals of a
+   * texture's length and duration. Default: 1, 1.
    */
   vtkSetMacro(LengthScale, double);
   vtkGetMacro(LengthScale, double);
@@ -115,20 +117,20 @@ public:
 
   ///@{
   /**
-   * Number of squares along u and v. Default: 256. Valid: 4 to 8192; clamped.
+   * Number of grid squares along each of u and v. Default: 256. Valid: 4 to 8192; clamped.
    */
   vtkSetClampMacro(Resolution, int, 4, 8192);
   vtkGetMacro(Resolution, int);
   ///@}
 
-  /// Return the modification time, including the mapping and the surfaces.
+  /// Return the modification time, including that of the mapping and the surfaces.
   vtkMTimeType GetMTime() override;
 
   /**
    * Return the report of the last execution:
    * - Contours: contours on the termination surfaces,
    * - ClosedContours: closed contours among them,
-   * - AddedPoints: copies of points added where parameters jump.
+   * - AddedPoints: copies of points added where s jumps.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkTerminationBox);
 
 namespace
 {
-// Returns the two axes of a face's parameters.
+// Returns the coordinate axes along which u and v of a face run.
 void GetAxesOfPart(int part, int axes[2])
 {
   axes[0] = part < 2 ? 1 : 0;

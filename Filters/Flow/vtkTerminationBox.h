@@ -8,10 +8,10 @@
  * @class   vtkTerminationBox
  * @brief   axis-aligned box as a termination surface
  *
- * Parts 0 to 5 are the faces -x, +x, -y, +y, -z, +z. The (u,v) of a face are the other two axes in
- * the order x, y, z, from 0 at the lower to 1 at the upper bound. Normals point outward. The
- * distance is exact everywhere and negative inside. The face nearest to a point is the one with the
- * largest signed distance.
+ * Parts 0 to 5 are the faces -x, +x, -y, +y, -z, +z. On each face, u and v run along the other two
+ * axes in the order x, y, z, from 0 at the lower to 1 at the upper bound. Normals point outward.
+ * The distance is exact everywhere and negative inside. The face nearest to a point is the one with
+ * the largest signed distance.
  *
  * Update reports bounds that are not finite, and lower bounds that are not below their upper
  * bounds.

@@ -17,13 +17,14 @@ struct AxialFrame;
  *
  * Part 0 is the wall. The parameter u is the angle in turns, counterclockwise around the axis from
  * Point1 to Point2, and periodic. The parameter v runs from 0 at Point1 to 1 at Point2. The
- * direction u = 0 is x for an axis along z, otherwise the first direction of the basis of T. Duff
- * et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The distance is measured
- * from the wall extended to infinity, and is negative inside.
+ * direction u = 0 is x for an axis along z, otherwise the first vector of the basis in T. Duff et
+ * al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The distance is measured from
+ * the wall extended to infinity, and is negative inside.
  *
- * With Capped, parts 1 and 2 are the disks at Point1 and Point2, and the distance is measured
- * from the closed cylinder. On a disk, u = (x / Radius + 1) / 2 and v = (y / Radius + 1) / 2, with
- * x toward u = 0 of the wall and y toward u = 1/4; neither is periodic. Normals point outward.
+ * If Capped is on, parts 1 and 2 are the disks at Point1 and Point2, and the distance is measured
+ * from the closed cylinder. On a disk, u = (x / Radius + 1) / 2 and v = (y / Radius + 1) / 2, where
+ * x points toward u = 0 of the wall and y toward u = 1/4; neither is periodic. Normals point
+ * outward.
  *
  * Update reports points that are not finite or that coincide, and a radius that is not above 0.
  */
@@ -37,7 +38,7 @@ public:
   ///@{
   /**
    * Ends of the axis, and the radius, in world units. Default: (0, 0, -0.5), (0, 0, 0.5), 0.5.
-   * Valid: finite and distinct; above 0.
+   * Valid: finite ends that do not coincide, and a finite radius above 0.
    */
   vtkSetVector3Macro(Point1, double);
   vtkGetVector3Macro(Point1, double);
@@ -85,7 +86,7 @@ private:
   /// Position of a point in the cylinder's coordinates.
   struct LocalPosition
   {
-    /// Offset perpendicular to the axis.
+    /// Components of the offset from the axis, perpendicular to it.
     double Offset[2];
     /// Distance from Point1 along the axis.
     double Along;

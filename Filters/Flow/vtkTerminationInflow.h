@@ -8,11 +8,12 @@
  * @class   vtkTerminationInflow
  * @brief   rectangle where the flow enters the field, placed automatically
  *
- * The rectangle is perpendicular to the coordinate axis with the largest flow through a plane, and
- * close to the position where that flow enters the field. It lies in the first plane, in flow
- * direction, with at least 40 % of the largest flow. For FORWARD streamlines it lies where the flow
- * leaves the field, so that streamlines end on it. With Size 1 it covers all cells in its plane
- * that this flow crosses.
+ * The rectangle lies near the place where the flow enters the field. Among all planes perpendicular
+ * to a coordinate axis, the plane with the largest flow determines the axis and the direction of
+ * the flow. The rectangle is in the first plane along this direction through which at least 40 % of
+ * the largest flow passes. With Size 1, it covers all cells that intersect its plane and have flow
+ * in this direction. For FORWARD streamlines, it lies near the place where the flow leaves the
+ * field instead, so that streamlines end on it.
  *
  * The parameters u and v run along the next two axes in cyclic order: y and z for a normal along x.
  * The normal points along the positive axis, regardless of the flow direction.
@@ -29,8 +30,8 @@ public:
 
   ///@{
   /**
-   * Size of the rectangle around its center, as a fraction of the width and height of the area that
-   * the flow crosses. Default: 1. Valid: 0.001 to 10; clamped.
+   * Factor that scales the width and the height of the rectangle about its center. Default: 1.
+   * Valid: 0.001 to 10; clamped.
    */
   vtkSetClampMacro(Size, double, 0.001, 10.0);
   vtkGetMacro(Size, double);

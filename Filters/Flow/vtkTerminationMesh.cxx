@@ -22,8 +22,8 @@ vtkStandardNewMacro(vtkTerminationMesh);
 
 namespace
 {
-// Distance from the mesh, as a fraction of its diagonal, above which a sign change is a jump, not a
-// crossing.
+// Distance from the mesh, as a fraction of its diagonal, above which a sign change of the distance
+// is a jump, not a crossing.
 constexpr double JumpDistance = 1e-6;
 }
 
@@ -36,7 +36,7 @@ struct vtkTerminationMesh::Contents
   /// Rounding error of the points' positions.
   double Rounding = 0.0;
 
-  /// Triangle nearest to a position, in the scaled units of the vertices.
+  /// Triangle nearest to a position. Positions are scaled like the vertices.
   struct Nearest
   {
     glm::dvec3 Position;
@@ -52,7 +52,8 @@ struct vtkTerminationMesh::Contents
     return nearest;
   }
 
-  // Returns true if the position is not past an open boundary by more than the tolerance.
+  // Returns false if the position is past an open boundary by more than \a tolerance, a fraction of
+  // the mesh's diagonal.
   bool IsWithinBorder(const Nearest& nearest, double tolerance) const
   {
     if (!this->Distance.IsOnBorder(nearest.Triangle, nearest.Foot))

@@ -18,25 +18,25 @@ class vtkPolyData;
  * 1), interpolated in the triangle that contains the nearest point. Points at the same position are
  * merged, so a texture seam with duplicated points is not a boundary.
  *
- * Triangles are oriented consistently: closed components outward, open components like the majority
- * of their triangles. The distance is measured from the nearest triangle. Its sign comes from
- * angle-weighted pseudonormals (J. A. Baerentzen and H. Aanaes, "Signed distance computation using
- * the angle weighted pseudonormal", IEEE TVCG 11(3), 2005), which are correct at edges and vertices
- * too. The distance is negative inside a closed mesh. EvaluateNormal returns the pseudonormal at an
- * edge or a vertex.
+ * Triangles are oriented consistently: outward in a closed component, and like the majority of the
+ * triangles in an open component. The distance is measured from the nearest triangle. Its sign
+ * comes from angle-weighted pseudonormals (J. A. Baerentzen and H. Aanaes, "Signed distance
+ * computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005), which are correct at
+ * edges and vertices too. The distance is negative inside a closed mesh. EvaluateNormal returns the
+ * pseudonormal at an edge or a vertex.
  *
  * The sign jumps past the boundary of an open mesh, and halfway between components that face the
- * same way. It may be wrong at edges of three or more triangles (GetNumberOfBranchingEdges). IsOn
- * returns false at such jumps: the nearest point must be within 1e-6 of the mesh diagonal and not
- * past a boundary edge.
+ * same way. It may be wrong at edges shared by three or more triangles (GetNumberOfBranchingEdges).
+ * IsOn returns false at such jumps: the distance to the nearest point of the mesh must be at most
+ * 1e-6 of the mesh diagonal, and the position must not be past a boundary edge.
  *
- * If the mesh is made from the field's own faces, its triangles deviate from the cells' bilinear
- * faces. vtkImplicitFlowField::SetArrivalTolerance, not Tolerance, allows for this deviation.
+ * If the mesh is a triangulation of cell faces of the field, it deviates from the bilinear faces of
+ * the cells. vtkImplicitFlowField::SetArrivalTolerance, not Tolerance, allows for this deviation.
  *
  * Update reports a missing mesh, a mesh whose triangles all have zero area, texture coordinates
  * that are missing or do not have two components, points or texture coordinates that are not
- * finite, invalid point ids, and a one-sided mesh. Triangles with a height below Tolerance are
- * skipped and counted.
+ * finite, invalid point ids, and a mesh that is not orientable. Triangles with a height below
+ * Tolerance are skipped; GetNumberOfDegenerateTriangles returns their number.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationMesh : public vtkTerminationSurface
 {
@@ -56,8 +56,8 @@ public:
   ///@{
   /**
    * If true, u (or v) is periodic: 0 and 1 are the same position. Triangles may then cross the
-   * seam; their texture coordinates are unwrapped to within half a period of each other. Default:
-   * off.
+   * seam: the texture coordinates of a triangle are shifted by whole periods to within half a
+   * period of its first corner. Default: off.
    */
   vtkSetMacro(PeriodicU, bool);
   vtkGetMacro(PeriodicU, bool);
@@ -69,9 +69,9 @@ public:
 
   ///@{
   /**
-   * Tolerance as a fraction of the diagonal of the mesh's bounds. Closer points are merged,
-   * triangles of smaller height are skipped, and open boundaries are widened by it. Default: 1e-9.
-   * Valid: 1e-15 to 0.1; clamped. NaN is ignored.
+   * Tolerance as a fraction of the diagonal of the mesh's bounds. Points within this distance are
+   * merged, triangles of smaller height are skipped, and open boundaries are extended by this
+   * distance. Default: 1e-9. Valid: 1e-15 to 0.1; clamped. NaN is ignored.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
@@ -79,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Number of triangles and edges that Update found. A mesh without boundary edges and without
-   * branching edges is closed.
+   * Numbers of triangles and edges that Update found. A mesh is closed if it has neither boundary
+   * edges nor branching edges, which are shared by three or more triangles.
    */
   vtkIdType GetNumberOfTriangles() const;
   vtkIdType GetNumberOfDegenerateTriangles() const;
@@ -99,7 +99,7 @@ public:
   bool IsPeriodic(int direction, int part = 0) const override;
   void GetBounds(double bounds[6]) const override;
 
-  /// Return the modification time, including the mesh.
+  /// Return the modification time, including that of the mesh.
   vtkMTimeType GetMTime() override;
 
 protected:

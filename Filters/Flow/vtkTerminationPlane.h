@@ -40,7 +40,7 @@ public:
 
   ///@{
   /**
-   * If true, the surface is the infinite plane, and its parameters are not limited to [0, 1].
+   * If true, the surface is the infinite plane, and its parameters may be outside [0, 1].
    * Default: off.
    */
   vtkSetMacro(Unbounded, bool);
@@ -64,7 +64,7 @@ private:
   vtkTerminationPlane(const vtkTerminationPlane&) = delete;
   void operator=(const vtkTerminationPlane&) = delete;
 
-  /// Computes the parameters of the projection of \a x onto the plane, not clamped.
+  /// Computes the parameters of the projection of \a x onto the plane, without clamping them.
   void GetFoot(const double x[3], double uv[2]) const;
 
   double Normal[3] = { 0.0, 0.0, 1.0 };

@@ -17,8 +17,8 @@ struct AxialFrame;
  *
  * The parameter u is the longitude in turns, counterclockwise around Axis, and periodic. The
  * parameter v is the latitude, from 0 at the pole opposite to Axis to 1 at the pole in the
- * direction of Axis. The direction u = 0 is x for an axis along z, otherwise the first direction of
- * the basis of T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The
+ * direction of Axis. The direction u = 0 is x for an axis along z, otherwise the first vector of
+ * the basis in T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The
  * normal points outward. The distance is negative inside.
  *
  * Update reports a center or an axis that is not finite, an axis of length 0, and a radius that is
@@ -33,8 +33,8 @@ public:
 
   ///@{
   /**
-   * Center and radius of the sphere, in world units. Default: (0, 0, 0), 0.5. Valid: finite; above
-   * 0.
+   * Center and radius of the sphere, in world units. Default: (0, 0, 0), 0.5. Valid: a finite
+   * center, and a finite radius above 0.
    */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
@@ -44,7 +44,8 @@ public:
 
   ///@{
   /**
-   * Direction from pole to pole. Default: (0, 0, 1). Valid: finite, with any length above 0.
+   * Direction from the pole with v = 0 to the pole with v = 1. Default: (0, 0, 1). Valid: finite,
+   * with any length above 0.
    */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);

@@ -15,8 +15,8 @@ class vtkDataSet;
  * @class   vtkTerminationSurface
  * @brief   abstract surface on which streamlines of vtkImplicitFlowField end
  *
- * A termination surface is the zero set of a signed distance. If it has a boundary, like a
- * rectangle or an open mesh, it is the part of the zero set for which IsOn returns true. A
+ * A termination surface is the zero set of a signed distance. If it has a boundary, such as that of
+ * a rectangle or an open mesh, it is the part of the zero set where IsOn returns true. A
  * streamline reaches it where the distance changes sign along the streamline, from either side.
  * Subclasses compute the distance, the parameters (u,v) and the normal.
  *
@@ -38,9 +38,9 @@ public:
 
   ///@{
   /**
-   * Id of the first part of the surface. -1: the filter assigns a free id, in the order of its
-   * surfaces. Surfaces with the same id are treated as one surface and share its parameters.
-   * Default: -1. Valid: -1 to 1000000000; clamped.
+   * Id of the first part of the surface. For -1, vtkImplicitFlowField assigns a free id; its
+   * surfaces get such ids in the order in which they were added. Surfaces with the same id are
+   * treated as one surface with common parameters. Default: -1. Valid: -1 to 1000000000; clamped.
    */
   vtkSetClampMacro(Id, int, -1, 1000000000);
   vtkGetMacro(Id, int);
@@ -54,9 +54,10 @@ public:
   virtual int GetNumberOfParts() const { return 1; }
 
   /**
-   * Set an automatic position or size from the field. vtkImplicitFlowField calls it before Update.
-   * \a vectors are the vectors at the points of \a field, and \a isBackward is true if streamlines
-   * run against them. Return an error message, or an empty string on success. Default: do nothing.
+   * Compute an automatic position or size from the field. vtkImplicitFlowField calls this function
+   * before Update. \a vectors are the vectors at the points of \a field, and \a isBackward is true
+   * if streamlines run against the vectors. Return an error message, or an empty string on success.
+   * Default: do nothing.
    */
   virtual std::string InitializeFromField(
     vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
@@ -87,8 +88,8 @@ public:
   /// Return true if a point at distance 0 is on the surface. Default: true.
   virtual bool IsOn(const double x[3]) const;
 
-  /// Return true if \a x projects onto the surface along the normal, not past its boundary.
-  /// Default: IsOn of the projected point.
+  /// Return true if the projection of \a x along the normal is on the surface, not past its
+  /// boundary. Default: IsOn of the projection.
   virtual bool ProjectsOntoSurface(const double x[3]) const;
   VTK_DEPRECATION("Call or override ProjectsOntoSurface.")
   bool IsBeside(const double x[3]) const { return this->ProjectsOntoSurface(x); }
@@ -109,14 +110,14 @@ public:
    */
   virtual bool EvaluatePoint(int part, const double uv[2], double x[3]) const = 0;
 
-  /// Return true if \a direction of a part, 0 for u and 1 for v, is periodic with period 1.
-  /// Default: false.
+  /// Return true if \a direction (0: u, 1: v) of a part is periodic with period 1. Default: false.
   virtual bool IsPeriodic(int direction, int part = 0) const;
 
   /**
    * Return the distance from \a x to the nearest surface point, including points on the boundary,
    * minus the rounding error of the surface's own data. Default: the distance to the point with the
-   * parameters from EvaluateParameters.
+   * parameters from EvaluateParameters, or the absolute value of EvaluateDistance if no such point
+   * exists.
    */
   virtual double EvaluateGap(const double x[3]) const;
 
@@ -130,7 +131,7 @@ protected:
 
   /// Maps the parameters of EvaluatePoint into [0, 1]: wraps periodic parameters, and clamps others
   /// that exceed the range by at most BorderTolerance. Returns false if a parameter exceeds the
-  /// range by more, or if the part is invalid.
+  /// range by more or is not finite, or if the part is invalid.
   bool NormalizeParameters(int part, const double uv[2], double taken[2]) const;
 
 private:

@@ -12,7 +12,7 @@ class vtkTerminationSurface;
 
 /**
  * @class   vtkTerminationSurfaceSource
- * @brief   create triangles of a termination surface for display
+ * @brief   triangulate a termination surface for display
  *
  * Creates a grid over (u,v), 0 to 1, for each part of the surface. Where
  * vtkTerminationSurface::EvaluatePoint returns false, the grid is trimmed at the boundary, found by
@@ -21,8 +21,8 @@ class vtkTerminationSurface;
  *
  * Output: triangles with the point arrays `TerminationUV` (double, 2 components; active texture
  * coordinates and scalars) and `Normals` (double; active normals), and the cell array
- * `TerminationId` (int: the surface's id, or 0 if it is -1, plus the part). Triangles are
- * counterclockwise as seen from the side of the normal.
+ * `TerminationId` (int: the surface's id, or 0 if the id is -1, plus the index of the part).
+ * Triangles are counterclockwise as seen from the side of the normal.
  *
  * Errors (vtkErrorMacro, empty output): no surface; a surface rejected by
  * vtkTerminationSurface::Update.
@@ -52,7 +52,7 @@ public:
   vtkGetMacro(ResolutionV, int);
   ///@}
 
-  /// Return the modification time, including the surface.
+  /// Return the modification time, including that of the surface.
   vtkMTimeType GetMTime() override;
 
   /**

@@ -25,21 +25,22 @@ class TubeAxis;
  *
  * Part 0 is the tube. The parameter u is the periodic angle around the line in turns,
  * counterclockwise about the line's direction, in a rotation-minimizing frame. At the start of the
- * line, u = 0 is the first direction of the basis of T. Duff et al., "Building an orthonormal
- * basis, revisited", JCGT 6(1), 2017. The parameter v is the fraction of the length, from 0 at the
- * first to 1 at the last point. At a bend, the segments meet in the bisecting plane, and v is
+ * line, u = 0 is the first vector of the basis in T. Duff et al., "Building an orthonormal basis,
+ * revisited", JCGT 6(1), 2017. The parameter v is the fraction of the line's length, from 0 at the
+ * first point to 1 at the last point. At a bend, the segments meet in the bisecting plane, and v is
  * linear between two such planes.
  *
  * A line whose first and last points coincide is closed. Then v is periodic, and the rotation of
  * the frame after one loop is distributed over the length.
  *
- * Hemispheres close the ends of an open line. They belong to the surface only with Capped, as part
- * 1 at the first and part 2 at the last point. There (u,v) = (1 + r d) / 2, where d is the
- * direction across the line in the frame, and r is the angle from the line divided by pi / 2;
- * neither is periodic.
+ * Hemispheres close the ends of the tube around an open line. They belong to the surface only if
+ * Capped is on: part 1 is at the first point, and part 2 at the last point. The parameters of a
+ * hemisphere are (u,v) = (1 + r d) / 2, where d is the unit direction perpendicular to the line, in
+ * coordinates of the frame, and r is the angle from the line divided by pi / 2; neither u nor v is
+ * periodic.
  *
- * If the radius exceeds the bend radius of the line, the tube intersects itself, and parameters
- * jump.
+ * If the radius of the tube exceeds the bend radius of the line, the tube intersects itself, and
+ * the parameters jump.
  *
  * Update reports a radius that is not above 0, points that are not finite, fewer than two distinct
  * points, a line that reverses its direction at a point, and a dataset that does not have exactly
@@ -54,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Points of the line, in world units. Default: none. Valid: finite. Consecutive points at the
-   * same position count once. GetPoint does not change its argument if the index is invalid.
+   * Points of the line, in world units. Default: none. Valid: finite. A point at the position of
+   * the previous one is skipped. GetPoint does not change \a x if the index is invalid.
    */
   void AddPoint(double x, double y, double z);
   void RemoveAllPoints();
@@ -107,7 +108,7 @@ public:
   bool IsPeriodic(int direction, int part = 0) const override;
   void GetBounds(double bounds[6]) const override;
 
-  /// Return the modification time, including the line.
+  /// Return the modification time, including that of the line.
   vtkMTimeType GetMTime() override;
 
 protected:

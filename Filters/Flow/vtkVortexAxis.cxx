@@ -35,7 +35,7 @@ namespace
 {
 using Vortex = interlume::CrossFlow::Vortex;
 
-// Connects the vortices of consecutive planes.
+// Connects vortices from plane to plane.
 class Tracker
 {
 public:
@@ -220,7 +220,7 @@ int vtkVortexAxis::RequestData(
   SetReport(this->Report);
   if (!input || input->GetNumberOfCells() == 0)
   {
-    // An empty input is not an error, and one piece of several may have points only.
+    // An empty input is not an error, nor is a piece of several that has points but no cells.
     if (input && input->GetNumberOfPoints() > 0 &&
       interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
     {

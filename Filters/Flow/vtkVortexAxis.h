@@ -11,24 +11,24 @@
  * @class   vtkVortexAxis
  * @brief   find the axis of a vortex, such as the eye of a hurricane
  *
- * Finds points with rotating flow on planes perpendicular to Axis: the velocity in the plane is 0,
- * and its Jacobian in the plane has complex eigenvalues. The filter connects such points from plane
- * to plane, in both directions from the strongest one or from the one nearest to Seed. It solves
- * for the zeros in each cell, as vtkFlowCriticalPoints does, for any grid and axis; the field is
- * not resampled. See Documentation/methods/implicit-flow.md.
+ * Finds points about which the flow rotates in planes perpendicular to Axis: the in-plane velocity
+ * is 0, and its in-plane Jacobian has complex eigenvalues. The filter connects such points from
+ * plane to plane, in both directions from the strongest one or from the one nearest to Seed. It
+ * solves for the zeros in each cell, as vtkFlowCriticalPoints does, for any grid and axis; the
+ * field is not resampled. See Documentation/methods/implicit-flow.md.
  *
  * Input: as for vtkFlowCriticalPoints.
  *
  * Output: polylines along Axis with the point arrays `CrossFlowSpeed` (double: speed in the plane,
  * 0 up to rounding error), `SwirlStrength` (double: imaginary part of the eigenvalues, radians per
- * unit of time; the active scalars) and `AxialVelocity` (double: velocity along Axis). Both
- * velocities are relative to FrameVelocity. A polyline ends at a plane without a nearby point, and
- * another one starts at the next plane with a nearby point. A point without neighbors becomes a
- * vertex. The output is identical for any number of threads.
+ * unit of time; the active scalars) and `AxialVelocity` (double: velocity along Axis). Speed and
+ * velocity are relative to FrameVelocity. If no point is found within SearchRadius in a plane, the
+ * polyline ends, and a new one starts at the next plane with such a point. A point without
+ * neighbors becomes a vertex. The output is identical for any number of threads.
  *
- * Warnings (vtkWarningMacro): no vortex, with the number of zeros that were tested (empty output);
- * cells skipped because vectors look like fill values (see vtkImplicitFlowField::SetMaximumError),
- * or are NaN or infinite.
+ * Warnings (vtkWarningMacro): no vortex was found (empty output; the message states the number of
+ * zeros); cells skipped because vectors look like fill values (see
+ * vtkImplicitFlowField::SetMaximumError), or are NaN or infinite.
  *
  * Errors (vtkErrorMacro, empty output): as for vtkFlowCriticalPoints; an Axis of length 0; settings
  * that are not finite.
@@ -53,10 +53,11 @@ public:
   ///@{
   /**
    * Number of evenly spaced planes from the first to the last point along Axis; a single plane is
-   * at the midpoint. 0 selects one plane per layer of points in images and rectilinear grids whose
-   * directions include Axis, as many planes as points in the direction closest to Axis in other
-   * structured grids, and the cube root of the number of points elsewhere. Default: 0. Valid: 0 to
-   * 100000; clamped.
+   * at the midpoint. 0 selects an automatic number. If Axis is parallel to a grid direction of
+   * image data or a rectilinear grid, there is one plane per layer of points. Other structured
+   * grids get as many planes as they have points in the grid direction closest to Axis, and all
+   * other datasets the cube root of their number of points. Default: 0. Valid: 0 to 100000;
+   * clamped.
    */
   vtkSetClampMacro(NumberOfPlanes, int, 0, 100000);
   vtkGetMacro(NumberOfPlanes, int);
@@ -85,9 +86,10 @@ public:
 
   ///@{
   /**
-   * Maximum distance perpendicular to Axis to the vortex in the next plane, in world units; for a
-   * vortex n planes away, n times as much. The sense of rotation must agree too. 0 selects twice
-   * the sum of plane spacing and cell size. Default: 0. Valid: 0 and above; clamped.
+   * Maximum distance, perpendicular to Axis, between connected vortices in adjacent planes, in
+   * world units; n times as much for vortices that are n planes apart. Connected vortices have the
+   * same sense of rotation. 0 selects twice the sum of the distance between the planes and the cell
+   * size. Default: 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(SearchRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SearchRadius, double);
@@ -108,7 +110,7 @@ public:
    * - CrossFlowZeros: points where the velocity in the plane is 0,
    * - PointsOnAxis: points of the output,
    * - NonFiniteCells: cells skipped because vectors are not finite,
-   * - FillValueCells: cells skipped because a point has fill values.
+   * - FillValueCells: cells skipped because the vector at a point is a fill value.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -59,12 +59,12 @@ public:
 
   ///@{
   /**
-   * If true, the processes of the global controller exchange their numbers of cells with output at
-   * the end of an execution. The first output gets the field arrays `CellsOfProcesses`, with these
-   * numbers, and `LoadBalance`, their maximum divided by their mean. All processes must then
-   * execute, each for its own piece. An empty piece, an error in this filter or an abort does not
-   * block the other processes, but an upstream error in only some processes does. Ignored if there
-   * is one process, or if the processes do not request one piece each. Default off.
+   * If true, each process of the global controller tells the others, at the end of an execution,
+   * how many of its cells have output. The first output gets the field arrays `CellsOfProcesses`,
+   * with these numbers, and `LoadBalance`, their maximum divided by their mean. All processes must
+   * then execute, each for its own piece. An empty piece, an error in this filter or an abort does
+   * not block the other processes, but an upstream error in only some processes does. Ignored if
+   * there is one process, or if the processes do not request one piece each. Default off.
    */
   vtkSetMacro(ReportBalance, bool);
   vtkGetMacro(ReportBalance, bool);

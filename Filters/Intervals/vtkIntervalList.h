@@ -24,13 +24,13 @@ public:
   int GetNumber() const { return static_cast<int>(this->Intervals.size()); }
   const std::vector<Interval>& GetAll() const { return this->Intervals; }
 
-  /// Sets the number of intervals, clamped to 0 ... MaximumNumber. New intervals are [0, 0]. Marks
-  /// \a owner as modified if the list changes.
+  /// Sets the number of intervals, clamped to the range from 0 to MaximumNumber. New intervals are
+  /// [0, 0]. Marks \a owner as modified if the list changes.
   void SetNumber(int number, vtkObject* owner);
   /// Sets interval \a i and extends the list if needed. Returns an error message if \a i is out of
   /// range, otherwise an empty string.
   std::string Set(int i, double lower, double upper, vtkObject* owner);
-  /// Returns the bounds of interval \a i. Leaves its arguments unchanged if \a i is out of range.
+  /// Gets the bounds of interval \a i. Leaves its arguments unchanged if \a i is out of range.
   void Get(int i, double& lower, double& upper) const;
 
   void Print(ostream& os, vtkIndent indent) const;

@@ -58,9 +58,9 @@ struct InteriorCellPass;
  * Values equal to a bound: f = lower is inside. f = upper is inside unless another interval of
  * nonzero width starts at that value. Adjacent intervals of one filter therefore tile the domain
  * without gaps or overlap. The interval [a, a] consists of the cells whose corners are all equal to
- * a. Adjacent intervals share their points.
+ * a. Adjacent intervals share the points on their common boundary.
  *
- * Interior cells: with KeepInteriorCells, a cell that lies inside an interval and inside all
+ * Interior cells: with KeepInteriorCells, a cell that lies inside an interval and satisfies all
  * criteria is copied instead of cut. Port 0 then has the tetrahedra first, followed by these cells,
  * both in input order. Interior cells of image data and rectilinear grids are voxels, or hexahedra
  * if the image data is rotated. A copied cell has quadrilateral faces where its cut neighbor has
@@ -70,7 +70,7 @@ struct InteriorCellPass;
  * Distributed grids: unstructured partitions need global point ids, so that faces between
  * partitions match. The ids may have any integer type. The filter requests one layer of ghost
  * cells. The outputs of all partitions together are then bit-identical to the extraction of the
- * full grid. Ghost cells give no output. The result does not depend on the number of threads.
+ * full grid. Ghost cells produce no output. The result does not depend on the number of threads.
  *
  * Errors (vtkErrorMacro, empty output): a missing or invalid scalar or criterion array, lower >
  * upper, a bound that is not finite, invalid global ids, or a malformed cell.
@@ -78,7 +78,8 @@ struct InteriorCellPass;
  * Warnings (vtkWarningMacro), for each dataset: quadratic cells, concave polyhedra, folded cells,
  * NaN or infinite coordinates, and non-monotonic coordinates of a rectilinear grid. Further
  * warnings report single-precision points too far from the origin, and AMR levels that overlap or
- * meet at a cut face. An empty output causes one warning for all datasets, see WarnOnEmptyOutput.
+ * meet at a face that an isovalue intersects. An empty output causes one warning for all datasets,
+ * see WarnOnEmptyOutput.
  *
  * @sa vtkIsotableContour vtkTimeVaryingIntervalVolume vtkIsotable
  */
@@ -125,8 +126,8 @@ public:
 
   ///@{
   /**
-   * If true, copy cells that lie inside an interval and inside all criteria, and cut only the other
-   * cells into tetrahedra. Default off.
+   * If true, copy cells that lie inside an interval and satisfy all criteria, and cut only the
+   * other cells into tetrahedra. Default off.
    */
   vtkSetMacro(KeepInteriorCells, bool);
   vtkGetMacro(KeepInteriorCells, bool);
@@ -209,7 +210,7 @@ private:
 
   /// Returns an error if an interval or a criterion is invalid.
   interlume::Error CheckParameters(vtkDataSet* input) const;
-  /// Extracts from one dataset.
+  /// Extracts the intervals from one dataset.
   void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);
   /// Runs the first pass. \a whole is null if interior cells are cut too. Returns false if the user

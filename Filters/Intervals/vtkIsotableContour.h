@@ -42,7 +42,7 @@ class ExtractionRun;
  * - every point array, interpolated linearly along grid edges. Integers become float (8 and 16
  *   bits) or double. The processed array is the active scalars.
  * - every cell array, copied from the input cell
- * - cell array `ContourId` (int): the index of the value
+ * - cell array `ContourId` (int): the index of the isovalue
  *
  * The result does not depend on the number of threads.
  *
@@ -118,8 +118,8 @@ public:
 
   ///@{
   /**
-   * If true, the processes of the global controller exchange their numbers of cells with output at
-   * the end of an execution, as in vtkIntervalVolume. Default off.
+   * If true, each process of the global controller tells the others, at the end of an execution,
+   * how many of its cells have output, as in vtkIntervalVolume. Default off.
    */
   vtkSetMacro(ReportBalance, bool);
   vtkGetMacro(ReportBalance, bool);
@@ -156,9 +156,9 @@ private:
   vtkIsotableContour(const vtkIsotableContour&) = delete;
   void operator=(const vtkIsotableContour&) = delete;
 
-  /// Returns an error if a value is invalid.
+  /// Returns an error if an isovalue is invalid.
   interlume::Error CheckValues() const;
-  /// Extracts from one dataset.
+  /// Extracts the isosurfaces from one dataset.
   void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output);
 
   std::vector<double> Values;

@@ -62,14 +62,15 @@ namespace
 constexpr const char* TimeName = "Time";
 
 // Sets the exact time. Interpolated times would have rounding errors, and a float array might not
-// represent the time.
+// represent the time exactly.
 void FillTime(vtkPointData* points, vtkIdType number, double time)
 {
   vtkNew<vtkDoubleArray> times;
   times->SetName(TimeName);
   times->SetNumberOfValues(number);
   vtkSMPTools::Fill(times->GetPointer(0), times->GetPointer(0) + number, time);
-  // AddArray replaces the interpolated array of the same name, and keeps it active if it was.
+  // AddArray replaces the interpolated array of the same name. If that was an active attribute, the
+  // new array becomes the active one.
   points->AddArray(times);
 }
 
@@ -102,7 +103,7 @@ void FindTimes(vtkDataObject* input, double range[2])
   }
 }
 
-// Returns an error if the array of times or the time of the slice is invalid.
+// Returns an error if the array `Time` or the time of the slice is invalid.
 interlume::Error CheckTimes(vtkUnstructuredGrid* input, double time)
 {
   interlume::Error error = interlume::ExtractionInput::CheckScalars(input,

@@ -117,7 +117,7 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Returns the time at which to slice for the request in \a output.
+  /// Returns the time of the slice. \a output contains the requested time, if any.
   double GetTimeOfSlice(vtkInformation* output) const;
   /// Slices one dataset. \a request contains the requested time, or is null.
   void Slice(vtkDataSet* dataset, vtkInformation* request, vtkUnstructuredGrid* output,

@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Set/get the file name of the tetrahedra's index; the names of all other files derive from it.
-   * Default null, which is an error in Write().
+   * Set/get the name of the index file of the tetrahedra. The names of all other files are derived
+   * from it. Default null, which is an error in Write().
    */
   void SetFileName(VTK_FILEPATH const char* name);
   VTK_FILEPATH const char* GetFileName() const;

@@ -25,8 +25,9 @@ struct TimeVaryingReport;
  *
  * Extracts the set { (x,t) : lower <= f(x,t) <= upper } of a time-varying scalar as 4-simplices and
  * projects them along the time axis, or along ProjectionDirection, to tetrahedra that store their
- * duration. The field is linear between time steps on every edge. For the method, see
- * Documentation/methods/time-varying-intervals.md; for timings, see Documentation/measurements.md.
+ * duration. The scalar f is linear on every edge of a cell and linear in time between the time
+ * steps. For the method, see Documentation/methods/time-varying-intervals.md; for timings, see
+ * Documentation/measurements.md.
  *
  * Input: a temporal source with at least two time steps. For dataset types, cell types, the scalar
  * and skipped cells, see vtkIntervalVolume. All time steps are requested through the pipeline, one
@@ -35,12 +36,13 @@ struct TimeVaryingReport;
  *
  * Output port 0, unless GenerateTetrahedra is off: VTK_TETRA cells with
  * - point array `DeltaT` (double, units of time): the duration of the 4-simplex at the point. It is
- *   nonzero at one point of each tetrahedron. The tetrahedra overlap: the sum of DeltaT at a
- *   position is the time that f spends in the interval there.
+ *   nonzero at one point of each tetrahedron. The tetrahedra overlap. At any position, the sum of
+ *   their interpolated DeltaT is the time that f spends in the interval there.
  * - point array `Time` (double): the time of the point; at a point with nonzero DeltaT, the mean
  *   over the duration
- * - every point array that all steps have, interpolated linearly. Integers become float (8 and 16
- *   bits) or double. Unnamed arrays are matched by attribute type or position.
+ * - every point array that all steps have, interpolated linearly. Integer arrays become float (8-
+ *   and 16-bit types) or double. Unnamed arrays of different steps are matched by attribute type or
+ *   by their order.
  * - cell arrays `SimplexClass` (unsigned char, see SimplexClasses), `IntervalId` (int) and
  *   `TimeSlab` (int; slab i lies between selected steps i and i + 1). Cell arrays of the input are
  *   not copied.
@@ -58,17 +60,17 @@ struct TimeVaryingReport;
  * scalars of each output are the processed array. The result does not depend on the number of
  * threads.
  *
- * A source that writes each step into the memory of the previous one is detected. The execution
- * then restarts and copies every step.
+ * If the source overwrites the memory of the previous time step, the execution restarts and copies
+ * every step.
  *
  * Errors (vtkErrorMacro, empty output): fewer than two time steps, times that decrease or are not
  * finite, a zero projection direction, and the errors of vtkIntervalVolume. A step without the
  * scalar is an error, and so is a step whose grid type, number of points or cells, or connectivity
  * differs from the previous step.
  *
- * Warnings (vtkWarningMacro): a skipped array, which is missing in a step or named `DeltaT` or
- * `Time`, a skipped slab of zero duration, an empty output (see WarnOnEmptyOutput), and the
- * warnings of vtkIntervalVolume except for quadratic cells.
+ * Warnings (vtkWarningMacro): an array that is skipped because it is missing in a step or named
+ * `DeltaT` or `Time`; a slab that is skipped because its duration is zero; an empty output (see
+ * WarnOnEmptyOutput); and the warnings of vtkIntervalVolume, except for quadratic cells.
  *
  * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper vtkTimeSlabWriter
  */
@@ -83,7 +85,7 @@ public:
 
   ///@{
   /**
-   * Enumerations of vtkTimeVaryingSettings.
+   * Enumerations that are documented in vtkTimeVaryingSettings.
    */
   using vtkTimeVaryingSettings::BoundaryKinds;
   using vtkTimeVaryingSettings::CLASS_1;
@@ -119,11 +121,11 @@ public:
 
   ///@{
   /**
-   * Set/get the direction (x,y,z,t) along which 4-simplices are projected, with any nonzero length.
-   * For the default (0,0,0,1), the time axis, the result lies in space. For another direction d, it
-   * lies in the space orthogonal to d. The axes of that space are x, y, z rotated by the smallest
-   * rotation that takes the time axis to d, or to -d if that is closer. DeltaT is then the extent
-   * along d, in the metric of (x,y,z,t).
+   * Set/get the direction (x,y,z,t) along which 4-simplices are projected. It can have any nonzero
+   * length. For the default (0,0,0,1), the time axis, the result lies in space. For another
+   * direction d, it lies in the space orthogonal to d. The axes of that space are x, y, z rotated
+   * by the smallest rotation that takes the time axis to d, or to -d if that is closer. DeltaT is
+   * then the Euclidean length of the 4-simplex along d.
    */
   vtkSetVector4Macro(ProjectionDirection, double);
   vtkGetVector4Macro(ProjectionDirection, double);
@@ -149,8 +151,8 @@ public:
 
   ///@{
   /**
-   * If true, port 1 contains the boundaries of kind \a kind. SetGenerateBoundaries sets the flag of
-   * every kind. Default off. A kind that is not in BoundaryKinds is an error.
+   * If true, port 1 contains the boundary cells of kind \a kind (see BoundaryKinds). Default off.
+   * SetGenerateBoundaries sets the flags of all kinds. It is an error to set an invalid kind.
    */
   void SetGenerateBoundary(int kind, bool on);
   bool GetGenerateBoundary(int kind) const;
@@ -169,8 +171,9 @@ public:
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
    * - UnsupportedCells: cells skipped because of their type
    * - ConcavePolyhedra: polyhedra whose simplices overlap
-   * - Simplices, FlatSimplices, InvertedSimplices: number of all 4-simplices, of 4-simplices
-   *   without tetrahedra, and of 4-simplices with inverted tetrahedra
+   * - Simplices, FlatSimplices, InvertedSimplices: number of all 4-simplices, of degenerate
+   *   4-simplices, which yield no tetrahedra, and of negatively oriented 4-simplices, which yield
+   *   inverted tetrahedra
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -181,8 +184,8 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /// Processes one time step, then requests the next one or fills the outputs. Sets the report of
-  /// the steps so far.
+  /// Processes one time step, then requests the next one or fills the outputs. Sets \a report to
+  /// the counts of the time steps processed so far.
   void ProcessStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*,
     interlume::TimeVaryingReport& report);
 
@@ -198,7 +201,7 @@ protected:
   bool Begin(bool copiesSteps);
   /// Returns whether the last execution processed all steps and filled its outputs.
   bool HasFilledOutputs() const { return this->IsFilled; }
-  /// Returns the reason for an empty output after all steps, or an empty string.
+  /// Returns why all outputs of a complete run are empty, or an empty string if no warning is due.
   std::string ExplainEmpty(interlume::TimeVaryingRun& run);
 
 private:
@@ -206,12 +209,12 @@ private:
   void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
 
   vtkNew<vtkInterlumeReport> Report;
-  /// Times of the steps of the input.
+  /// Times of the input's time steps.
   std::vector<double> TimeSteps;
   /// State between time steps; null between executions.
   std::unique_ptr<interlume::TimeVaryingRun> Run;
   bool IsFilled = false;
-  /// If true, the execution was restarted because the input changed between time steps.
+  /// If true, this execution was already restarted. It is restarted at most once.
   bool IsRestarted = false;
 };
 

@@ -17,9 +17,10 @@
  */
 struct vtkTimeVaryingSettings
 {
-  /// Kind of boundary to which a cell of port 1 belongs. On a surface, f equals the lower or upper
-  /// bound, at the start or the end (triangles) or at any time (tetrahedra). In a volume, f is in
-  /// the interval at the start or the end (tetrahedra).
+  /// Kind of boundary to which a cell of port 1 belongs. On the surfaces, the scalar equals the
+  /// lower or upper bound: either at the first or last time step (triangles), or at any time
+  /// (tetrahedra). In the volumes (tetrahedra), the scalar is in the interval at the first or last
+  /// time step.
   enum BoundaryKinds
   {
     LOWER_SURFACE_AT_START = 0,
@@ -35,9 +36,10 @@ struct vtkTimeVaryingSettings
 
   /// Configuration of the five projected points of a 4-simplex, as in C. Zhang, dissertation, Ohio
   /// State 2006, figures 3.12 and 3.15. The classes, with their numbers of tetrahedra in
-  /// parentheses, are: no point inside the hull (6), one inside (4), four coplanar points with the
-  /// diagonals crossing (4) or with one point inside the triangle of the others (3), three
-  /// collinear points (2), two coincident points (1).
+  /// parentheses, are: five points in convex position (6), one point inside the hull of the other
+  /// four (4), four coplanar points in convex position (4), four coplanar points of which one is
+  /// inside the triangle of the other three (3), three collinear points (2), two coincident points
+  /// (1).
   enum SimplexClasses
   {
     CLASS_1 = 10,
@@ -48,9 +50,9 @@ struct vtkTimeVaryingSettings
     CLASS_5 = 50
   };
 
-  /// Contribution of a cell of port 2 to the interval volume at a time step: its faces there,
-  /// nothing, or the cell itself. In the last case, the cell is a tetrahedron whose last point is
-  /// repeated.
+  /// What a cell of port 2 contributes to the interval volume at a time step: its faces that lie in
+  /// the time step, nothing, or the entire cell, which is then a tetrahedron stored with its last
+  /// point repeated.
   enum PartsAtStep
   {
     FACES_AT_STEP = 0,

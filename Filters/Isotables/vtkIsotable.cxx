@@ -26,7 +26,8 @@ std::array<Slot, MaximumNumberOfVertices> GetAscendingRanks()
   return ranks;
 }
 
-// Returns the cell, or a cell without vertices if there are too many vertices or slots.
+// Returns the convex hull of \a vertices, or a cell without vertices if a vertex is invalid or
+// there are too many vertices or slots.
 Polytope MakeCell(vtkIsotable::Kinds kind, const std::vector<std::array<int, 3>>& vertices)
 {
   std::vector<Polytope::Point> points;

@@ -26,7 +26,8 @@ class Polytope;
  * long as the table exists. See Documentation/methods/isotables.md.
  *
  * The key of a case has one digit per vertex; the digit of vertex 0 is the least significant.
- * Contours use base 2 (0: f < v, 1: f >= v). Intervals use base 3 (0: below, 1: inside, 2: above).
+ * Contours use base 2 (0: below the isovalue, 1: at or above it). Intervals use base 3 (0: below
+ * the interval, 1: inside, 2: above).
  *
  * The points of a case are numbered as slots. With n vertices and m edges, slot i < n is vertex i
  * of the cell. Slot n + e is the point on edge e with the isovalue, or with the lower isovalue of
@@ -34,16 +35,17 @@ class Polytope;
  * vertex that is inside is itself a point. Contours use no vertex slots. The point of slot n + e is
  * interpolated between the ends of the edge, GetEdge(e).
  *
- * Convex pieces are split into simplices by a pulling triangulation. The slots are ordered with
- * vertices first, then lower, then upper edge points. Edge points are ordered by the ranks of their
- * edge's ends, smaller rank first. If ranks come from global point ids, any two cells split a
- * shared face identically. Case::Simplices is the triangulation for ascending ranks, as on
- * structured grids. Cut() computes the triangulation for other ranks.
+ * Convex pieces are split into simplices by a pulling triangulation, which depends on the order of
+ * the slots: vertices first, then lower, then upper edge points. Vertices are ordered by their
+ * ranks. Edge points are ordered by the smaller rank of their edge's ends, then by the larger one.
+ * If ranks come from global point ids, any two cells split a shared face identically.
+ * Case::Simplices is the triangulation for ascending ranks, as on structured grids. Cut() computes
+ * the triangulation for other ranks.
  *
- * A simplex has four slots, or three in a contour. The vertex order is that of VTK_TETRA,
- * VTK_PYRAMID, VTK_WEDGE, and VTK_VOXEL for the hexahedron. In a right-handed cell, tetrahedra have
- * positive volume. Normals of contour triangles point toward lower values. Normals of boundary
- * triangles point out of the interval.
+ * A simplex has four slots, or three in a contour. The vertices of a cell are in the order of
+ * VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, and VTK_VOXEL for the hexahedron. In a right-handed cell,
+ * tetrahedra have positive volume. Normals of contour triangles point toward lower values. Normals
+ * of boundary triangles point out of the interval.
  *
  * @sa vtkIsotableContour vtkIntervalVolume
  */
@@ -120,7 +122,7 @@ public:
   int GetNumberOfCasesMade() const;
 
   /**
-   * Return the ranks of the slots. \a vertexRanks is a permutation of 0 ... n-1.
+   * Return the ranks of the slots. \a vertexRanks is a permutation of the vertex indices.
    */
   RankArray GetSlotRanks(const Slot* vertexRanks) const;
 
@@ -207,7 +209,8 @@ private:
     return first;
   }
 
-  // Calls fan(a, b, c) for each triangle of the fan of a polygon from its point of lowest rank.
+  // Splits a polygon into a fan around its point of lowest rank. Calls fan(a, b, c) for each
+  // triangle.
   template <typename Ranks, typename Name, typename Fan>
   static void PullPolygon(
     const Slot* slots, int number, const Ranks& ranks, const Name& name, Fan&& fan)
@@ -276,7 +279,7 @@ private:
     return at;
   }
 
-  // Computes the pieces of cases from convex hulls.
+  // Computes cases from convex hulls and symmetries.
   class Builder;
 
   const Case& MakeCase(int key) const;

@@ -8,8 +8,8 @@
  * @class   vtkMeshingSettings
  * @brief   settings of vtkTetrahedralMesher
  *
- * vtkTetrahedralMesher inherits the settings so that VTK's set/get macros apply, and passes them to
- * each MeshingJob. The setters of the filter document them.
+ * vtkTetrahedralMesher is derived from this struct so that VTK's set/get macros can access the
+ * settings, and passes a copy of them to each MeshingJob. Its setters document the settings.
  *
  * @sa vtkTetrahedralMesher
  */

@@ -41,7 +41,7 @@ void Measure(interlume::MeshingJob& job)
 {
   interlume::TetrahedralMesherReport& report = job.Report;
   interlume::MeshMeasures measures;
-  // Decomposed cells are not refined.
+  // The bounds do not apply to decomposed cells.
   measures.QualityBound = job.Mesh.Cells.empty() ? job.QualityBound : 0.0;
   measures.MaximumVolume = job.Mesh.Cells.empty() ? job.MaximumVolume : 0.0;
   measures.Add(job.Mesh.Points, job.Mesh.Tetrahedra);

@@ -28,22 +28,23 @@ struct MeshingJob;
  *   convex may get new points inside. Tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal
  *   and hexagonal prisms and polyhedra are supported. Other cells, ghost cells and hidden cells are
  *   skipped and counted in GetReport(). The quality and volume bounds do not apply.
- * - Polygons and no three-dimensional cells (triangles, quads, polygons, pixels, strips): the
- *   volume inside the closed surface is filled. Several shells may be disjoint or nested (see
- *   FillNestedShells) or touch (see SplitContacts). Coincident points are merged. Vertices and
- *   lines are ignored.
- * - Points only (any vtkPointSet without polygons): their Delaunay tetrahedralization, refined if
- *   a bound is set.
+ * - Polygons (triangles, quads, polygons, pixels, strips) and no three-dimensional cells: the
+ *   volume inside the closed surface is filled. The surface may have several shells, which may be
+ *   disjoint, nested (see FillNestedShells) or touching (see SplitContacts). Coincident points are
+ *   merged. Vertices and lines are ignored.
+ * - Neither polygons nor three-dimensional cells: the Delaunay tetrahedralization of the points is
+ *   generated, and refined if a bound is set.
  *
  * The output has VTK_TETRA cells of positive volume and points of type double. Used input points
- * come first, in their order, followed by new points. Equal inputs give bit-identical outputs.
+ * come first, in input order, followed by new points. Equal inputs give bit-identical outputs.
  * Arrays:
  *
  * - Numeric point arrays are interpolated: input points keep their values, and linear functions are
  *   reproduced at new points. 8-bit and 16-bit integers become float, other integers become double.
  *   Global ids, pedigree ids, ghost arrays and string arrays are not copied.
- * - For cells, each tetrahedron gets the cell array values of its input cell.
- * - For surfaces, cell array `RegionId` (int), see FillNestedShells.
+ * - If the input has three-dimensional cells, each tetrahedron gets the cell array values of its
+ *   input cell.
+ * - If the input is a surface, the cell array `RegionId` (int) is added (see FillNestedShells).
  *
  * TetGen (H. Si, "TetGen, a Delaunay-based quality tetrahedral mesh generator", ACM TOMS 41(2),
  * 2015) runs in a separate process. If it throws, exits, crashes or exceeds TimeLimit, the filter
@@ -59,9 +60,8 @@ struct MeshingJob;
  * - global ids that are not one integer per point
  * - failures of TetGen
  *
- * Warnings: tetrahedra that exceed a bound, next to small angles of the input or because of
- * PreserveBoundary or MaximumNumberOfAddedPoints; unsupported cell types; an empty output, see
- * WarnOnEmptyOutput.
+ * Warnings: tetrahedra that exceed a bound, because of small angles in the input, PreserveBoundary
+ * or MaximumNumberOfAddedPoints; unsupported cell types; an empty output (see WarnOnEmptyOutput).
  *
  * TetGen is licensed under the AGPL. Therefore this module is optional (INTERLUME_ENABLE_TETGEN).
  * Documentation/methods/meshing.md describes the method.
@@ -149,7 +149,7 @@ public:
 
   ///@{
   /**
-   * Turn on/off splitting of surface triangles that touch other triangles without common points or
+   * Turn on/off splitting of surface triangles that touch other triangles without sharing points or
    * edges: parts that rest on each other, that cross along edges, or that share a wall with
    * different diagonals. The parts then share points and triangles at the contact, and each part
    * keeps its region. Triangles touch if their distance is within the rounding error of the
@@ -220,7 +220,7 @@ protected:
   void Warn(const interlume::MeshingJob& job);
   ///@{
   /// Called at the start and the end of an execution. For composite input, the pipeline sends start
-  /// and end events for each dataset, between those for the whole input.
+  /// and end events for each dataset, between the start and end events for the whole input.
   void BeginExecution();
   void WarnIfEmpty();
   ///@}

@@ -77,8 +77,8 @@ public:
   ///@{
   /**
    * Set/Get the coefficients of LINEAR: the value at the origin at time 0, the gradient per unit of
-   * length, and the rate per unit of time. Default 0, (1, 0, 0), 1. These parameters, Center,
-   * Velocity, Radius and Growth are clamped to -1e6 ... 1e6; NaN is ignored.
+   * length, and the rate per unit of time. Default 0, (1, 0, 0), 1. These parameters, as well as
+   * Center, Velocity, Radius and Growth, are clamped to -1e6 ... 1e6; NaN is ignored.
    */
   void SetConstant(double value) { this->SetNumber(this->Constant, value); }
   vtkGetMacro(Constant, double);

@@ -144,8 +144,8 @@ Object MakeHypertextureSphere()
   turbulence->SetFrequency(4.0);
   turbulence->SetAmplitude(0.18);
   turbulence->SetSeed(3);
-  // The displaced sphere stays inside this box. The bounds computed for the displacement are larger
-  // than necessary.
+  // Trim to a box of this half size, which contains the displaced sphere, because the bounds
+  // computed for the displacement are larger than necessary.
   constexpr double reach = 0.75;
   auto trimmed = vtkSmartPointer<vtkSpatialOperation>::New();
   trimmed->SetOperationToTrim();

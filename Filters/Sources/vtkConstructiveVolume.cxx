@@ -48,8 +48,8 @@ void Store(const vtkSpatialObject::Sample& sample, int numberOfComponents, Value
 }
 
 // In rows first ... last - 1 of an extent, sets the color of points without density to the mean
-// color of their 26 neighbors with density. It reads densities and the colors of points with
-// density, and writes neither. Therefore the rows can be processed in any order.
+// color of those of their 26 neighbors that have density. Only densities and colors of points with
+// density are read, and neither is written, so the rows can be processed in any order.
 template <typename Value>
 void DilateRows(Value* values, const int extent[6], vtkIdType first, vtkIdType last)
 {

@@ -19,9 +19,9 @@ class vtkSpatialObject;
  *   density. Render it with vtkVolumeProperty::IndependentComponentsOff;
  * - COLOR_FLOATS: `Color`, float with four components, 0 to 1.
  *
- * A point of density 0 has no color of its own. It gets the mean color of those of its 26 neighbors
- * that have nonzero density, or black if there are none. Interpolation at an edge therefore adds no
- * other color.
+ * A point of density 0 gets the mean color of those of its 26 neighbors that have nonzero density,
+ * or black if there are none. Therefore interpolation at the edge of an object does not mix its
+ * color with black.
  *
  * The output does not depend on the number of threads or on the requested extent.
  *

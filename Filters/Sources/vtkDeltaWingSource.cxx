@@ -14,8 +14,8 @@ vtkStandardNewMacro(vtkDeltaWingSource);
 
 namespace
 {
-// Constants of the formula. Lengths across the wing are in half spans, lengths along it in units of
-// x.
+// Constants of the formula in Documentation/methods/sources.md. Lengths perpendicular to x are
+// relative to the half span at x.
 constexpr double AxisAcross = 0.62;
 constexpr double AxisAbove = 0.42;
 constexpr double CoreRadius = 0.12;

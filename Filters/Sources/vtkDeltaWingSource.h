@@ -7,14 +7,14 @@
 
 /**
  * @class   vtkDeltaWingSource
- * @brief   generate two vortices above a delta wing, with breakdown, on a curvilinear grid
+ * @brief   generate two vortices that break down above a delta wing, on a curvilinear grid
  *
  * An analytic replacement for the delta wing data of C. Zhang, dissertation, Ohio State 2006,
  * figure 3.22. The wing has length 1 and lies in z = 0, with its apex at the origin and x along its
- * axis. The grid is conical: i runs along x from 0.1 to 1.2, j across and k up from the wing. Cells
+ * axis. The grid is conical: i runs along x from 0.1 to 1.2, j across the wing and k upward. Cells
  * are right-handed.
  *
- * Each side has a vortex that breaks down into a spiral. The array resembles the loss of total
+ * On each side, a vortex breaks down into a spiral. The array resembles the loss of total
  * pressure: 1 in the core of a vortex and 0 outside. See Documentation/methods/sources.md for the
  * formulas.
  *
@@ -53,8 +53,8 @@ public:
   ///@{
   /**
    * Set/Get the amplitude of the breakdown's oscillation, in wing lengths, and its frequency per
-   * unit of time. The two sides move in opposite directions. Default 0.06, 0.2. Valid: 0 to 1, 0 to
-   * 1000; clamped.
+   * unit of time. The breakdowns on the two sides move in opposite directions. Default 0.06, 0.2.
+   * Valid: 0 to 1, 0 to 1000; clamped.
    */
   void SetBreakdownAmplitude(double amplitude);
   vtkGetMacro(BreakdownAmplitude, double);

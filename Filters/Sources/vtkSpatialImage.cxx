@@ -20,10 +20,11 @@ vtkStandardNewMacro(vtkSpatialImage);
 
 namespace
 {
-// Maximum absolute value of stored densities, so that interpolation of infinite scalars is finite.
+// Stored densities are clamped to this absolute value, so that interpolation of infinite scalars
+// yields finite densities.
 constexpr double LargestDensity = 1e30;
 
-// Distance from the image, in cells, up to which a point outside is treated as inside.
+// A point is treated as inside the image if it is at most this far outside, in cells.
 constexpr double SideTolerance = 1e-9;
 }
 

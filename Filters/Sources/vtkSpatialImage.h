@@ -42,7 +42,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the scalars a and b that have density 0 and 1. b may be less than a. Default 0, 1.
+   * Set/Get the scalars a and b that map to densities 0 and 1. b may be less than a. Default 0, 1.
    * Valid: finite and different; other values are an error and are ignored.
    */
   void SetScalarRange(double a, double b);
@@ -78,7 +78,7 @@ private:
 
   int Extent[6];
   double PhysicalToIndex[16];
-  /// Densities before clamping, and colors, per point.
+  /// Density of each point, not yet clamped to 0 ... 1, and color of each point.
   std::vector<float> Densities;
   std::vector<float> Colors;
 

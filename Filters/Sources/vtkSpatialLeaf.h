@@ -7,7 +7,7 @@
 
 /**
  * @class   vtkSpatialLeaf
- * @brief   base class of spatial objects without operands: a density and a color
+ * @brief   base class of spatial objects without operands, which have a density and a color
  *
  * @sa vtkSpatialPrimitive vtkSpatialImage
  */

@@ -22,9 +22,10 @@ constexpr double RotationTolerance = 1e-14;
 // Minimum determinant of an invertible matrix, relative to the product of its column lengths.
 constexpr double SingularTolerance = 1e-12;
 
-// Returns the contribution of a side of a box to the bounds along an axis. \a size is the largest
-// element of the matrix. An infinite side contributes nothing if \a element is so small that it is
-// only the rounding error of a rotation by a right angle.
+// Returns the contribution of a side of a box to the bounds along an axis of the transformed box:
+// the matrix element times the coordinate of the side. \a size is the largest absolute value in the
+// matrix. An infinite side contributes nothing if \a element is so small that it is only the
+// rounding error of a rotation by a right angle.
 double GetReach(double element, double side, double size)
 {
   const bool isNothing = std::isinf(side) && std::fabs(element) < RotationTolerance * size;

@@ -24,8 +24,8 @@
  * Cap and trim divide a into two parts without changing its density. More than two operands are
  * combined from left to right. A single operand is unchanged.
  *
- * Errors (vtkErrorMacro): an operand is null or contains this object, and is not added; there is no
- * operand when the object is evaluated (density 0).
+ * Errors (vtkErrorMacro): an added operand is null or contains this object (it is ignored); there
+ * is no operand when the object is evaluated (density 0).
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialOperation : public vtkSpatialObject
 {
@@ -86,7 +86,7 @@ private:
   vtkSpatialOperation(const vtkSpatialOperation&) = delete;
   void operator=(const vtkSpatialOperation&) = delete;
 
-  /// Replaces \a a by the combination of \a a and \a b.
+  /// Replaces \a a with the combination of \a a and \a b.
   void Combine(Sample& a, const Sample& b) const;
 
   std::vector<vtkSmartPointer<vtkSpatialObject>> Operands;

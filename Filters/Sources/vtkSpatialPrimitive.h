@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the distance over which the density falls, in units of length before the transform.
-   * Default 0. Valid: finite, 0 or more; other values are an error and are ignored.
+   * Set/Get the distance over which the density falls to 0, in units of length before the
+   * transform. Default 0. Valid: finite, 0 or more; other values are an error and are ignored.
    */
   void SetEdgeWidth(double width) { this->SetSize(this->EdgeWidth, width, "edge width", true); }
   double GetEdgeWidth() const { return this->EdgeWidth; }

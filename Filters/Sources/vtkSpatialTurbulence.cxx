@@ -80,8 +80,8 @@ void vtkSpatialTurbulence::SetSeed(int seed)
 
 void vtkSpatialTurbulence::MakeNoises()
 {
-  // Difference between the seeds of the three directions. It is large, because users choose small
-  // seeds, and two turbulence objects with adjacent seeds must not share a noise function.
+  // Multiples of this number distinguish the seeds of the three directions. It is large, because
+  // users choose small seeds, and two objects with adjacent seeds must not share a noise function.
   constexpr int distance = INT_MAX / 3;
   this->Noises.clear();
   for (int i = 0; i < 3; ++i)

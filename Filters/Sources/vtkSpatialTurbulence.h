@@ -23,7 +23,7 @@
  * The density is clamped to 0 ... 1. MODULATION and EROSION keep the color, and the density remains
  * 0 where d is 0.
  *
- * Errors (vtkErrorMacro): the operand contains this object, and is not set; there is no operand
+ * Errors (vtkErrorMacro): the new operand contains this object (it is ignored); there is no operand
  * when the object is evaluated (density 0).
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialTurbulence : public vtkSpatialObject

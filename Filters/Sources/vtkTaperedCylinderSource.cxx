@@ -16,7 +16,7 @@ vtkStandardNewMacro(vtkTaperedCylinderSource);
 
 namespace
 {
-// Constants of the formula.
+// Constants of the formula in Documentation/methods/sources.md.
 constexpr double ConvectionRatio = 0.85;
 constexpr double Deficit = 0.018;
 constexpr double Slant = 2.2;
@@ -48,7 +48,7 @@ struct VortexStreet
   double operator()(const double x[3]) const;
   // Returns the diameter of the cylinder at a height, which is clamped to the cylinder's ends.
   double GetDiameter(double z) const;
-  // Returns the deficit of the vortices of one shedding cell, extended along the whole cylinder.
+  // Returns the deficit at a point if the given shedding cell extended along the whole cylinder.
   double GetDeficitOfCell(int cell, const double x[3]) const;
 };
 
@@ -82,7 +82,7 @@ double VortexStreet::GetDeficitOfCell(int cell, const double x[3]) const
   const double diameter = this->GetDiameter(x[2]);
   const double convection = ConvectionRatio * speed;
   const double lifeTime = this->OuterRadius / convection;
-  // Number of half periods since time 0. The slant delays vortices at larger heights.
+  // Number of half shedding periods since time 0. Slant delays vortices at larger heights.
   const double halfPeriods = 2.0 * frequency * this->Time - Slant * x[2] / this->Height;
   const double slope[2] = { -Slant / this->Height * convection / (2.0 * frequency), 0.0 };
   double sum = 0.0;
@@ -109,7 +109,7 @@ double VortexStreet::GetDeficitOfCell(int cell, const double x[3]) const
   return sum;
 }
 
-// Clustering of points toward the wall and toward the wake.
+// Strength of the clustering of grid points toward the wall and toward the wake.
 constexpr double Clustering = 2.0;
 constexpr double ClusteringAround = 0.75;
 }
@@ -156,7 +156,7 @@ void vtkTaperedCylinderSource::GetPosition(const int ijk[3], double x[3]) const
   const double outward = static_cast<double>(ijk[0]) / (this->GetDimension(0) - 1);
   const double radius = wall +
     (this->GetGridRadius() - wall) * std::expm1(Clustering * outward) / std::expm1(Clustering);
-  // The first and last points in j are bit-identical.
+  // The modulo operation makes the first and last points in j bit-identical.
   const double around =
     static_cast<double>(ijk[1] % (this->GetDimension(1) - 1)) / (this->GetDimension(1) - 1);
   const double fullAngle = 2.0 * vtkMath::Pi() * around;

@@ -14,8 +14,8 @@
  * 0 to Height, and the free stream runs along x. The radius changes linearly between Radii.
  *
  * The grid runs outward in i, around the cylinder in j and up in k. Points are dense at the wall
- * and in the wake. The seam lies upstream; its points are duplicated, first and last in j, with
- * identical coordinates and values. Cells are right-handed.
+ * and in the wake. The seam lies upstream: there, the first and last points in j have identical
+ * coordinates and values. Cells are right-handed.
  *
  * The span is divided into three shedding cells, in which vortices are shed at a constant
  * frequency, as behind real tapered cylinders. The vortices are slanted. Between shedding cells,

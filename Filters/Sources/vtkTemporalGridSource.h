@@ -80,7 +80,7 @@ protected:
 
   int GetDimension(int axis) const { return this->Dimensions[axis]; }
 
-  /// A scalar field of the position at one time.
+  /// A scalar field at one time, as a function of the position.
   using Field = std::function<double(const double x[3])>;
 
   /// Returns the field at time \a t. Several threads may call the result concurrently.

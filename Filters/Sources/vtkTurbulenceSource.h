@@ -20,9 +20,9 @@ class GradientNoise;
  * Amplitude n(x)) - 1).
  *
  * The noise is K. Perlin's improved gradient noise ("Improving noise", SIGGRAPH 2002). It is 0 at
- * integer points, has continuous second derivatives, mean 0, values between about -1 and 1, and
- * period 256 in each direction. Seed 0 uses the published permutation. Other seeds shuffle it, with
- * the same result for every compiler and library.
+ * integer points and has continuous second derivatives, a mean of 0, values between about -1 and 1,
+ * and a period of 256 in each direction. Seed 0 uses the published permutation. Other seeds shuffle
+ * the numbers 0 to 255, with the same result for every compiler and library.
  *
  * The falloff F depends on the height h, 0 at the lower and 1 at the upper bound of VerticalAxis.
  * With t = TopFraction it is
@@ -107,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the factor of the noise, and the value that is added to it. Default 1, 0. Valid: -1e12
-   * to 1e12; clamped, NaN is ignored.
+   * Set/Get the factor that multiplies the noise, and the value that is then added. Default 1, 0.
+   * Valid: -1e12 to 1e12; clamped, NaN is ignored.
    */
   void SetAmplitude(double amplitude);
   vtkGetMacro(Amplitude, double);

@@ -6,7 +6,7 @@ class vtkSMProperty;
 
 /**
  * @class   vtkPropertyPush
- * @brief sends to the server the property values that a domain changed
+ * @brief   sends property values that a domain changed to the server
  */
 class vtkPropertyPush
 {
@@ -14,8 +14,8 @@ public:
   /// Returns true if the property has values that the user has not applied yet.
   static bool IsPending(vtkSMProperty* property);
 
-  /// Sends the values of the property if its proxy already exists on the server. A script that sets
-  /// one property sends only that one, so the domain must send the property that it changed.
+  /// Sends the values of the property if its proxy already exists on the server. Call it after a
+  /// domain has changed a property: a script sends only the property that it sets itself.
   static void Push(vtkSMProperty* property);
 };
 

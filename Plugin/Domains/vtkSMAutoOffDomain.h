@@ -13,8 +13,8 @@
  * in the panel, in a script, by an animation or from a state file turns UseAnimationTime off. The
  * overridden property is the required property with the function Value.
  *
- * ParaView sorts the properties of a state file by name. A Boolean property that is sorted after
- * the overridden property is set after it, so it keeps its state from the file.
+ * ParaView sorts the properties of a state file by name. If the Boolean property comes after the
+ * overridden property, it is restored later and keeps its state from the file.
  */
 class INTERLUMEDOMAINS_EXPORT vtkSMAutoOffDomain : public vtkSMDomain
 {

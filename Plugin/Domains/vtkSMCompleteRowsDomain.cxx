@@ -13,7 +13,8 @@ vtkSMCompleteRowsDomain::~vtkSMCompleteRowsDomain() = default;
 
 int vtkSMCompleteRowsDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
-  // The property has no parent proxy yet. Observe the proxy when the property is first modified.
+  // The property has no parent proxy yet, so start observing the proxy when the property is first
+  // modified.
   property->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMCompleteRowsDomain::ObserveUpdates);
   return this->Superclass::ReadXMLAttributes(property, element);
 }

@@ -9,9 +9,9 @@
  * @class   vtkSMCompleteRowsDomain
  * @brief   warns if the last row of a repeatable property is incomplete
  *
- * ParaView ignores an incomplete row without a message. This domain checks the property when its
- * values are sent to the server. The warning reports the property, the number of values in the row
- * and the number required. It is repeated only if the number of values changes.
+ * ParaView silently ignores an incomplete row. This domain checks the property when its values are
+ * sent to the server. The warning reports the property, the number of values in the row and the
+ * required number. It is repeated only if the number of values changes.
  */
 class INTERLUMEDOMAINS_EXPORT vtkSMCompleteRowsDomain : public vtkSMDomain
 {
@@ -25,7 +25,7 @@ protected:
   ~vtkSMCompleteRowsDomain() override;
 
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
-  /// Starts to observe the proxy, which sends the values to the server.
+  /// Starts observing the proxy, which signals when it sends values to the server.
   void ObserveUpdates();
   /// Warns if the last row is incomplete.
   void WarnIfIncomplete();

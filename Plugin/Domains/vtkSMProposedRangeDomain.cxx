@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkSMProposedRangeDomain);
 
 namespace
 {
-// Indices of the association and the name in the elements of an ArraySelection property.
+// Indices of the elements of an ArraySelection property that store the association and the name.
 constexpr unsigned int AssociationElement = 3;
 constexpr unsigned int NameElement = 4;
 
@@ -47,7 +47,8 @@ int vtkSMProposedRangeDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXM
 
 unsigned int vtkSMProposedRangeDomain::GetRowSize()
 {
-  // Read the number of elements only now, because the property sets it after creating its domains.
+  // The row size is not available in ReadXMLAttributes: the property sets it after creating its
+  // domains.
   vtkSMVectorProperty* rows = vtkSMVectorProperty::SafeDownCast(this->GetProperty());
   return rows ? std::max(rows->GetNumberOfElementsPerCommand(), 1) : 1;
 }

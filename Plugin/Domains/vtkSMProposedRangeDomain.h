@@ -14,12 +14,12 @@ class vtkSMSourceProxy;
  * @class   vtkSMProposedRangeDomain
  * @brief   proposes the values of a repeatable property from the range of an array
  *
- * ParaView's ArrayRangeDomain proposes a single value, even for a property whose rows have several.
+ * ParaView's ArrayRangeDomain proposes a single value, even if a row of the property has several.
  * This domain proposes one complete row. The XML attribute `default_mode` lists min, mid or max for
  * each value of the row. The required properties are Input and ArraySelection.
  *
  * - The proposed row is the default value of a new proxy, and the value that the reset button sets.
- * - If another array is selected, values are proposed again. Values that the user has set are not
+ * - If another array is selected, a new row is proposed. Values that the user has set are not
  *   replaced.
  * - If the XML attribute `all_time_steps` is 1, the range covers all time steps of the input. The
  *   steps are read when values are proposed, and the range is cached. If all steps together exceed
@@ -34,7 +34,7 @@ public:
   vtkTypeMacro(vtkSMProposedRangeDomain, vtkSMDoubleRangeDomain);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Maximum size of all time steps together, in kilobytes, for which all steps are read.
+  /// Maximum total size of the time steps, in kilobytes, up to which all of them are read.
   static constexpr double MaximumSeriesSize = 8e6;
 
   void Update(vtkSMProperty* requesting) override;
@@ -68,11 +68,11 @@ protected:
   /// Computes the range of the array in the current time step or in all time steps. Returns false
   /// if the array is missing, has several components or has no finite value.
   bool FindRange(const Selection& selection, bool overTime, double range[2]);
-  /// Returns true if there are several time steps and they are small enough to read all of them.
-  /// Warns if they are too large.
+  /// Returns true if there are several time steps and their total size is at most
+  /// MaximumSeriesSize. Warns if it is larger.
   bool CanReadAllTimeSteps(const Selection& selection);
   void SetRange(const double range[2]);
-  /// Returns one row of values from the current range; empty if there is no range.
+  /// Returns the row proposed for the current range; empty if there is no range.
   std::vector<double> ComputeProposedValues();
   bool IsAwaitingApply();
 
@@ -82,7 +82,8 @@ private:
 
   int AllTimeSteps = 0;
   Selection LastSelection;
-  // Cached range of LastSelection over all time steps; empty (lower > upper) until they are read.
+  // Cached range of LastSelection over all time steps; empty (lower > upper) until all steps have
+  // been read.
   double RangeOverTime[2] = { 1.0, 0.0 };
   std::vector<double> Proposed;
 };

@@ -3,15 +3,15 @@
 #define vtkPVFieldExtent_h
 
 /**
- * Computes the ends of termination surfaces. A length of 0 selects the size of the field.
+ * Computes the ends of a termination surface that has a given length, or spans the flow field.
  */
 namespace vtkPVFieldExtent
 {
 /**
- * Computes the positions \a ends of both ends of a surface along the unit vector \a along, relative
- * to \a center. Each end is half of \a length from the center. With a length of 0, the ends are
- * those of the projection of the box \a bounds, or half a unit from the center if the box is empty
- * (lower above upper).
+ * Computes the two \a ends of a surface along the unit vector \a along, as signed distances from
+ * \a center. Each end is half of \a length from the center. If \a length is 0, the ends are those
+ * of the box \a bounds projected onto \a along; if the box is empty (lower above upper), a length
+ * of 1 is used.
  */
 void GetEnds(double length, const double bounds[6], const double center[3], const double along[3],
   double ends[2]);

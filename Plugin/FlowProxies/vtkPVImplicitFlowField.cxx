@@ -23,11 +23,11 @@ vtkStandardNewMacro(vtkPVImplicitFlowField);
 namespace
 {
 constexpr int SurfacesPort = 2;
-// Output port with the triangles of the surfaces.
+// Output port for the triangulated termination surfaces.
 constexpr int SurfaceOutputPort = 1;
 
-// Returns the triangles of \a surface. Shifts its ids so that they start at \a id, because the
-// surface does not store the automatic id that the filter assigned.
+// Triangulates \a surface. The ids of its parts start at \a id, which the filter may have assigned
+// automatically; the surface does not store such an id.
 vtkSmartPointer<vtkPolyData> CreateTriangles(vtkTerminationSurface* surface, int id)
 {
   vtkNew<vtkTerminationSurfaceSource> source;

@@ -69,7 +69,7 @@ int vtkPVInflowMapping::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (inputs[ImagePort]->GetNumberOfInformationObjects() > 0)
   {
-    // Request the whole image, since any sample may need any of its points.
+    // Request the whole image, since a sample may depend on any of its points.
     vtkInformation* image = inputs[ImagePort]->GetInformationObject(0);
     if (image->Has(Pipeline::WHOLE_EXTENT()))
     {

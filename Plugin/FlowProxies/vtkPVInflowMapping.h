@@ -13,9 +13,9 @@
  * @class   vtkPVInflowMapping
  * @brief   map inflow values with formulas, rings and an image from the pipeline
  *
- * Input port 1, optional: a vtkImageData, the mapping for ImageId. If an id has several mappings,
- * the image has precedence, then the rings, the formula of the id, and the common formula. Each
- * execution replaces mappings that were set directly in the superclass.
+ * Input port 1, optional: a vtkImageData, which is the mapping of the id ImageId. If an id has
+ * several mappings, the image has precedence, then the rings, the formula of the id, and the common
+ * formula. Each execution replaces mappings that were set directly in the superclass.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVInflowMapping : public vtkInflowMapping
 {

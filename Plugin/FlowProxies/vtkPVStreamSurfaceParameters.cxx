@@ -10,8 +10,8 @@ vtkStandardNewMacro(vtkPVStreamSurfaceParameters);
 
 namespace
 {
-/// Returns the first upstream filter of a class, following the first connection of port 0, or null
-/// if there is none. ParaView inserts its own filters between those of the plugin.
+/// Returns the nearest upstream \a Filter along the first connections of port 0, or null if there
+/// is none. Skips other filters, such as those that ParaView inserts.
 template <typename Filter>
 Filter* FindUpstream(vtkAlgorithm* algorithm)
 {

@@ -9,8 +9,8 @@
  * @class   vtkPVTerminationCylinder
  * @brief   termination cylinder with the parameters of ParaView's cylinder widget
  *
- * Point1 and Point2 of the superclass lie on the axis at half of Length from the center. If Length
- * is 0, they are the ends of the field along the axis.
+ * Point1 and Point2 of the superclass lie on the axis, each at a distance of Length / 2 from the
+ * center. If Length is 0, the cylinder spans the field along the axis.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationCylinder : public vtkTerminationCylinder
 {
@@ -57,7 +57,7 @@ private:
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Axis[3] = { 0.0, 0.0, 1.0 };
   double Length = 0.0;
-  /// Bounds of the field; empty (lower above upper) before InitializeFromField.
+  /// Bounds of the field; empty (lower above upper) before InitializeFromField is called.
   double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
 };
 

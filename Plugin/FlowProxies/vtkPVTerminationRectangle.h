@@ -35,8 +35,8 @@ public:
   /**
    * Set/Get the lengths of the edges along u and v, in world units. 0 selects the extent of the
    * field along the edge, or a length of 1 if the field is not available yet. Center is then not
-   * necessarily the midpoint. By default, the rectangle is therefore as large as the plane that
-   * ParaView's widget shows. Default: (0, 0). Valid: 0 and above.
+   * necessarily the midpoint. By default, the rectangle is as large as the plane that ParaView's
+   * widget shows. Default: (0, 0). Valid: 0 and above.
    */
   void SetLengths(double u, double v);
   vtkGetVector2Macro(Lengths, double);
@@ -67,7 +67,7 @@ private:
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Normal[3] = { 0.0, 0.0, 1.0 };
   double Lengths[2] = { 0.0, 0.0 };
-  /// Bounds of the field; empty (lower above upper) before InitializeFromField.
+  /// Bounds of the field; empty (lower above upper) before InitializeFromField is called.
   double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Angle = 0.0;
 };

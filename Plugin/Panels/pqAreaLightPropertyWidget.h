@@ -30,7 +30,8 @@ protected Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqAreaLightPropertyWidget)
 
-  /// Adds a row for a property of the group, with its label and its documentation as a tooltip.
+  /// Adds a row of number fields for a property of the group. Its documentation is the tooltip of
+  /// its label.
   void addNumbers(QGridLayout* layout, const char* function);
   void addChoice(QGridLayout* layout, const char* function);
   void addLabel(QGridLayout* layout, vtkSMProperty* property);

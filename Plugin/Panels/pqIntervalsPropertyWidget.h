@@ -30,7 +30,7 @@ public:
 private Q_SLOTS:
   /// Shows the widgets for the current number of rows.
   void arrange();
-  /// Sets the values that the domain proposes for the data.
+  /// Sets the values that the domain proposes from the range of the data.
   void resetToData();
 
 private:

@@ -25,7 +25,7 @@ std::string GetLibraryPath(const void* address)
 #endif
 }
 
-// Adds the path when the plugin is loaded. Python may be initialized earlier or later.
+// Adds the path when the plugin is loaded, whether or not Python is already initialized.
 const bool IsAdded = []
 {
   const std::string plugin = vtksys::SystemTools::CollapseFullPath(GetLibraryPath(&IsAdded));

@@ -21,22 +21,25 @@ constexpr double LABEL_OPACITY = 0.3;
 constexpr double LARGEST_OPACITY = 0.8;
 /// Fraction of the samples that is cut off at the end of a tail.
 constexpr double TAIL = 1e-3;
-/// Minimum fraction of the samples that is shown.
+/// Minimum fraction of the samples to show.
 constexpr double LEAST = 0.1;
-/// Fraction of the samples that is shown if the histogram has no bend.
+/// Fraction of the samples to show if the histogram has no bend.
 constexpr double RARE = 0.15;
-/// Maximum fraction of the samples that is shown.
+/// Maximum fraction of the samples to show.
 constexpr double MOST = 0.6;
-/// Fraction below which a bin counts as empty.
+/// A bin with a smaller fraction of the samples counts as empty.
 constexpr double NEGLIGIBLE = 1e-5;
-/// Minimum depth of a bend below the straight line, relative to the height of that line.
+/// Minimum depth of a bend below the straight line, relative to the difference in height between
+/// the ends of that line.
 constexpr double SMALLEST_BEND = 0.1;
-/// Both sides of the background are shown if the ratio of their samples is above this value.
+/// Both sides of the background are shown if the ratio of their numbers of samples is at least this
+/// value.
 constexpr double SIMILAR = 0.2;
-/// The last bin of a side is padding if it has more than this fraction of the side's samples.
+/// The last bin of a side is padding if it has more than this fraction of the samples that the side
+/// shows.
 constexpr double PADDING = 0.9;
 
-/// Returns the moving averages over about \a width bins.
+/// Returns the moving average over about \a width bins.
 Counts Smooth(const Counts& counts, int width)
 {
   const int size = static_cast<int>(counts.size());
@@ -64,7 +67,8 @@ int FindPeak(const Counts& counts, const Counts& smoothed)
   return static_cast<int>(std::max_element(begin, end) - smoothed.begin());
 }
 
-/// The bins on one side of the background, counted from its peak. Fractions refer to all samples.
+/// The bins on one side of the background, numbered from its peak. Fractions are relative to all
+/// samples, not only those of this side.
 struct Side
 {
   Counts Tail; ///< Fraction of the samples in a bin and all bins after it.
@@ -78,28 +82,29 @@ struct Side
       this->Tail.begin(), this->Tail.end(), [=](double tail) { return tail <= fraction; });
     return static_cast<int>(found - this->Tail.begin());
   }
-  /// Returns the fraction of the samples that are shown.
+  /// Returns the fraction of the samples that this side shows.
   double GetFraction() const { return this->End > 0 ? this->Tail[this->Threshold] : 0.0; }
-  /// Returns the fraction of the samples at least \a distance bins from the peak.
+  /// Returns the fraction of the samples that are at least \a distance bins from the peak.
   double GetFraction(int distance) const
   {
     return static_cast<std::size_t>(distance) < this->Tail.size() ? this->Tail[distance] : 0.0;
   }
-  /// Returns true if this side has nothing to show, or far fewer samples than \a other at the
-  /// distances from the peak that both show.
+  /// Returns true if this side has nothing to show, or far fewer samples than \a other in the range
+  /// of distances from the peak that both sides show.
   bool IsMinorTo(const Side& other) const
   {
     const int distance = std::max(this->Threshold, other.Threshold);
     return this->End == 0 || this->GetFraction(distance) < SIMILAR * other.GetFraction(distance);
   }
-  /// Returns true if nearly all samples shown have the same value.
+  /// Returns true if nearly all samples shown are in the last bin.
   bool IsPadding() const { return this->Tail.back() > PADDING * this->GetFraction(); }
   struct Step
   {
     int Bin;
     double Opacity;
   };
-  /// Returns the opacities if at least the given fraction of the samples is shown.
+  /// Returns the opacity function of this side, which shows at least the fraction \a least of the
+  /// samples.
   std::vector<Step> GetSteps(double least) const;
 };
 
@@ -160,7 +165,8 @@ std::vector<Side::Step> Side::GetSteps(double least) const
   return steps;
 }
 
-/// Returns the points for a histogram of labels. \a bins are the bins with samples.
+/// Returns the points of the opacity function for a histogram of labels. \a bins are the nonempty
+/// bins.
 Points FindLabelPoints(const ValueHistogram& histogram, const std::vector<int>& bins)
 {
   const auto background = std::max_element(bins.begin(), bins.end(),

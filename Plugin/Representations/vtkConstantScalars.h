@@ -23,7 +23,7 @@ public:
   /// Returns the name of the array.
   static const char* GetArrayName();
 
-  /// Returns a producer of a shallow copy of \a data with the array.
+  /// Returns a producer whose output is a shallow copy of \a data with the array.
   vtkTrivialProducer* Update(vtkDataSet* data);
 
 private:

@@ -86,8 +86,7 @@ void vtkCroppedVolumeRepresentation::UpdateMapperParameters()
   }
   else
   {
-    // A client that renders the data of a server has no data from which GatherBounds() computes
-    // bounds.
+    // A client that renders data from a server has no input, so GatherBounds() finds no bounds.
     this->VolumeMapper->GetBounds(bounds);
   }
   double planes[6];

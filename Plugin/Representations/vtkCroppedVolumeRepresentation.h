@@ -36,7 +36,7 @@ protected:
 
   /// Returns the input of a request, or null in processes without data.
   static vtkDataObject* GetInput(vtkInformationVector** inputVector);
-  /// Executes RequestData of the superclass with \a image as the input.
+  /// Calls RequestData of the superclass with \a image as the input.
   int RequestDataOf(vtkImageData* image, vtkInformation* request,
     vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
@@ -44,8 +44,7 @@ private:
   vtkCroppedVolumeRepresentation(const vtkCroppedVolumeRepresentation&) = delete;
   void operator=(const vtkCroppedVolumeRepresentation&) = delete;
 
-  /// Computes the bounds of the pieces of all processes. All processes with data must call it
-  /// together.
+  /// Computes GlobalBounds. All processes of the global controller must call it together.
   void GatherBounds();
 
   /// Bounds of the data in all processes.

@@ -12,7 +12,8 @@ class vtkRenderer;
  * @brief   gets and replaces the render pass that draws props in a ParaView renderer
  *
  * ParaView nests this pass in image-processing, camera and compositing passes. It recreates all
- * passes when a setting of the view changes. Therefore construct this object for each rendering.
+ * passes when a setting of the view changes. Therefore, construct a new vtkDrawingPass for each
+ * rendering.
  */
 class vtkDrawingPass
 {
@@ -32,7 +33,7 @@ public:
 
 private:
   vtkCameraPass* Camera = nullptr;
-  /// Null if the passes do not composite, or ParaView was built without IceT.
+  /// Null if there is no compositing pass, or ParaView was built without IceT.
   vtkIceTCompositePass* Composite = nullptr;
 };
 

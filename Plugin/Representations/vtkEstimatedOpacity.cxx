@@ -38,7 +38,8 @@ bool AreIntegers(vtkPVArrayInformation* array, int component)
   return component >= 0 && type != VTK_FLOAT && type != VTK_DOUBLE;
 }
 
-/// Returns the points of the function over the whole range, in the format of the property Points.
+/// Extends the estimated function to the whole range, and returns it in the format of the property
+/// Points.
 std::vector<double> MakePoints(
   const std::vector<interlume::OpacityEstimate::Point>& estimate, const double range[2])
 {

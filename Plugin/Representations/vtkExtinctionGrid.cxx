@@ -18,7 +18,7 @@ namespace
 constexpr double MaximumOpacity = 1.0 - 1e-6;
 constexpr int TableSize = 4096;
 
-/// Table of the extinction in each channel over the range of the scalars.
+/// Table of the extinction in each color channel over the range of the scalars.
 class Extinctions
 {
 public:
@@ -47,7 +47,7 @@ public:
     }
   }
 
-  /// Returns the extinctions of a tuple, or null if its value is not finite.
+  /// Returns the extinction of a tuple in each channel, or null if its value is not finite.
   const float* Get(vtkDataArray* scalars, vtkIdType tuple) const
   {
     const double value = scalars->GetComponent(tuple, this->Component);
@@ -99,8 +99,8 @@ std::vector<std::vector<vtkExtinctionGrid::Overlap>> vtkExtinctionGrid::FindOver
   std::vector<std::vector<Overlap>> overlaps(std::max(samples, 0));
   for (int i = 0; i < samples; ++i)
   {
-    // The voxel of a point sample extends by half the spacing to either side of the point.
     const int index = step < 0.0 ? samples - 1 - i : i;
+    // The voxel of a point sample extends by half the spacing to either side of the point.
     const double begin = bounds[0] + spacing * (piece.IsOfCells ? index : index - 0.5);
     const double from = std::max(begin, bounds[0]);
     const double to = std::min(begin + spacing, bounds[1]);
@@ -210,7 +210,7 @@ void vtkExtinctionGrid::Gather(
     local.data(), this->Values.data(), static_cast<vtkIdType>(count), vtkCommunicator::SUM_OP);
   for (std::size_t i = 0; i < count; ++i)
   {
-    // Treat the rounding error of the subtraction as 0.
+    // Treat a difference within rounding error as 0.
     const float outside = this->Values[i] - local[i];
     this->Values[i] = outside > 1e-6f * local[i] ? outside : 0.0f;
     this->IsFilled = this->IsFilled || this->Values[i] > 0.0f;

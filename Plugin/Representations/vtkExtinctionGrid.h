@@ -14,16 +14,16 @@ class vtkVolumeProperty;
  * @class   vtkExtinctionGrid
  * @brief   stores the extinction of the other processes' pieces of a volume on a coarse grid
  *
- * The grid covers the bounds of all pieces. Its coordinates are along the axes of the images, which
- * share one direction matrix. Each process adds the extinction of its samples; a sample fills one
- * voxel, clipped to the piece. The sum over all processes minus the local contribution is the
- * extinction outside the local piece. This coarse global attenuation avoids an exchange of light
- * between processes in the order of light propagation.
+ * The grid covers the bounds of all pieces. Its axes are those of the images, which share one
+ * direction matrix. Each process adds the extinction of its samples; a sample fills one voxel,
+ * clipped to the piece. The sum over all processes minus the local contribution is the extinction
+ * outside the local piece. With this coarse attenuation, processes need not wait for the light that
+ * has passed through the pieces of other processes.
  */
 class vtkExtinctionGrid
 {
 public:
-  /// One piece of the volume.
+  /// The local piece of the volume.
   struct Piece
   {
     /// Null if this process has no piece.
@@ -31,7 +31,8 @@ public:
     vtkDataArray* Scalars = nullptr;
     bool IsOfCells = false;
     vtkVolumeProperty* Property = nullptr;
-    /// Whether extinction depends on the color channel: three channels instead of one.
+    /// Whether extinction differs between color channels, so that three channels are stored, not
+    /// one.
     bool IsColored = false;
   };
 
@@ -55,15 +56,15 @@ public:
     const std::array<double, 3>& from, const std::array<double, 3>& to, double* depths) const;
 
   /**
-   * Returns the position, 0 to 1, at which the line from \a from to \a to enters the grid, or 2 if
-   * it misses the grid.
+   * Returns the position along the line from \a from (0) to \a to (1) at which the line enters the
+   * grid, or 2 if it misses the grid.
    */
   double FindEntry(const std::array<double, 3>& from, const std::array<double, 3>& to) const
   {
     return FindEntry(this->Bounds, from, to);
   }
-  /// Returns the position, 0 to 1, at which a line enters the box \a bounds, or 2 if it misses the
-  /// box.
+  /// Returns the position along the line, 0 to 1, at which it enters the box \a bounds, or 2 if it
+  /// misses the box.
   static double FindEntry(const std::array<double, 6>& bounds, const std::array<double, 3>& from,
     const std::array<double, 3>& to);
 
@@ -77,7 +78,7 @@ private:
 
   /// Returns the overlaps of each sample along one axis.
   std::vector<std::vector<Overlap>> FindOverlaps(const Piece& piece, int axis) const;
-  /// Adds the extinction of the samples of a piece.
+  /// Adds the extinction of the samples of a piece to \a values.
   void Add(const Piece& piece, std::vector<float>& values) const;
 
   std::array<double, 6> Bounds{};

@@ -11,8 +11,8 @@ namespace
 {
 constexpr int NUMBER_OF_POINTS = 10000;
 
-/// Suppresses messages, because the errors of a reader that fails in this test are irrelevant to
-/// the user.
+/// Suppresses the error messages of the reader: a failure of this test is not an error for the
+/// user.
 class WarningSilencer
 {
 public:

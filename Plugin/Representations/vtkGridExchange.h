@@ -12,8 +12,8 @@
  */
 namespace vtkGridExchange
 {
-/// Returns true if grids can be sent. The first call tests this: it serializes and reads a grid
-/// within this process. The grid is larger than the parser's buffer.
+/// Returns true if grids can be sent. The first call tests this within this process: it serializes
+/// and reads a grid that is larger than the parser's buffer.
 bool IsPossible();
 }
 

@@ -26,10 +26,11 @@ const std::array<Color, 10> PALETTE{ { { { 0.306, 0.475, 0.655 } }, { { 0.949, 0
   { { 1.000, 0.616, 0.655 } }, { { 0.729, 0.690, 0.675 } } } };
 
 constexpr int MAXIMUM_IDS = 100;
-/// Width of the transition between two bands.
+/// Width of the transition between the colors of two ids.
 constexpr double TRANSITION_WIDTH = 1e-3;
 
-/// Returns rows of a scalar and a color, in the format of the property RGBPoints.
+/// Returns a color map with a band of constant color for each id, in the format of the property
+/// RGBPoints.
 std::vector<double> MakeBands(int count)
 {
   std::vector<double> points;
@@ -61,7 +62,7 @@ bool HaveSameColors(const std::vector<double>& points, const std::vector<double>
   return true;
 }
 
-/// Returns true if the colors are ParaView's default, or bands that were set for fewer ids.
+/// Returns true if the colors are ParaView's default, or those of MakeBands for any number of ids.
 bool AreDefaultColors(vtkSMProxy* colors, const std::vector<double>& points)
 {
   vtkSMProxy* prototype = colors->GetSessionProxyManager()->GetPrototypeProxy(

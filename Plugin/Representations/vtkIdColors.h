@@ -8,9 +8,10 @@ class vtkSMProxy;
  * @class   vtkIdColors
  * @brief   assigns a color to each id 0, 1, ... of an array, and the same opacity to all
  *
- * Only unmodified default functions, and colors that an earlier call set for fewer ids, are
- * replaced. The color map has one band per id, so the user can still edit the colors as RGBPoints.
- * The annotations are the ids. Automatic rescaling of the color map's range is turned off.
+ * Only ParaView's default functions, and colors that an earlier call set for another number of ids,
+ * are replaced. The color map has one band per id, so the user can still edit the colors as
+ * RGBPoints. Each color is annotated with its id. Automatic rescaling of the color map's range is
+ * turned off.
  */
 namespace vtkIdColors
 {

@@ -17,10 +17,10 @@ using Images = std::vector<vtkImageData*>;
 
 /// Maximum distance of a sample from the grid of the first image, in units of the spacing.
 constexpr double TOLERANCE = 1e-3;
-/// Limit for sample indices, so that they fit in an int.
+/// Upper limit for the absolute values of sample indices, which must fit in an int.
 constexpr double MAXIMUM_INDEX = 1e9;
 
-/// Index box of an image: its first and last sample along each axis.
+/// Extent of an image: the indices of its first and last sample along each axis.
 class Box
 {
 public:
@@ -39,7 +39,7 @@ public:
     return static_cast<vtkIdType>(this->Count(0, ofPoints)) * this->Count(1, ofPoints) *
       this->Count(2, ofPoints);
   }
-  /// Extends this box so that it contains the other.
+  /// Extends this box so that it contains \a other.
   void Add(const Box& other)
   {
     for (std::size_t i = 0; i < 6; i += 2)
@@ -49,8 +49,8 @@ public:
     }
   }
 
-  /// Calls \a visit for each row of \a box along x, with the index of the row's first element in
-  /// this box and in \a box.
+  /// For each row of \a box along x, calls \a visit with two indices of its first element: that in
+  /// this box and that in \a box.
   template <typename Visit>
   void VisitRows(const Box& box, bool ofPoints, const Visit& visit) const
   {
@@ -69,8 +69,8 @@ public:
   }
 };
 
-/// Computes the index box of the image on the grid of \a first. Returns false if its samples are
-/// not on that grid.
+/// Computes the extent of \a image on the grid of \a first. Returns false if its samples are not on
+/// that grid.
 bool FindBox(vtkImageData* image, vtkImageData* first, Box& box)
 {
   const double* directions = image->GetDirectionMatrix()->GetData();
@@ -99,7 +99,7 @@ bool FindBox(vtkImageData* image, vtkImageData* first, Box& box)
   return true;
 }
 
-/// Returns true if each cell of \a joinedBox is in exactly one of the boxes.
+/// Returns true if each cell of \a joinedBox is in exactly one of \a boxes.
 bool FillExactlyOnce(const Box& joinedBox, const std::vector<Box>& boxes)
 {
   vtkIdType cells = 0;
@@ -147,7 +147,7 @@ std::vector<vtkDataArray*> FindArrays(const Images& images, const char* name, bo
   return arrays;
 }
 
-/// Adds the arrays that all images have to the joined image.
+/// Joins each array that all images have, and adds it to \a joined.
 void JoinArrays(const Images& images, const std::vector<Box>& boxes, const Box& joinedBox,
   vtkImageData* joined, bool ofPoints)
 {

@@ -15,13 +15,13 @@ class vtkImageData;
  * @brief   joins the images of a composite dataset into one image
  *
  * Images are joined if they fill a box without overlap and their samples are on one regular grid.
- * The joined image has the arrays that all images have. Otherwise, only the image with the most
- * samples is used.
+ * Otherwise, only the image with the most samples is used. The joined image has only those arrays
+ * that all images have.
  */
 class vtkImageBlocks
 {
 public:
-  /// Joins the images in \a datasets. Skips other datasets and null.
+  /// Joins the images in \a datasets. Skips other datasets and null pointers.
   explicit vtkImageBlocks(const std::vector<vtkDataSet*>& datasets);
   ~vtkImageBlocks();
 

@@ -33,14 +33,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Set the mapper before the representation is added to a view. ParaView sets the mapper's
+   * Set the mapper. Call it before adding the representation to a view. ParaView sets the mapper's
    * properties directly. Default: a new mapper.
    */
   void SetMapper(vtkImplicitFlowVolumeMapper* mapper);
 
   ///@{
   /**
-   * Set the image on all termination surfaces, another image for one surface, the id of this
+   * Set the image on all termination surfaces, another image for one surface, the id of that
    * surface, and the detail image. Null removes an image. Default: null, null, 0, null. Valid ids:
    * 0 and above; clamped.
    */
@@ -59,18 +59,18 @@ public:
   ///@}
 
   /**
-   * Set the fraction of each time period, from its start, during which color is injected on the
-   * termination surfaces. It sets a TimeGate of the mapper that is 1 during the pulse and 0 after
-   * it; with a fraction of 1 there is no gate. Default: 1. Valid: 0 to 1; clamped.
+   * Set the fraction of each time period during which color is injected on the termination
+   * surfaces. The pulse begins with the period: the mapper's TimeGate is 1 during the pulse and 0
+   * after it. With a fraction of 1, there is no gate. Default: 1. Valid: 0 to 1; clamped.
    */
   void SetPulseLength(double fraction);
 
   ///@{
   /**
-   * Multiply opacity by a factor from a point array. The factor increases linearly from 0 to 1
-   * between the two values of the range; if the first value is larger, lower values are more
-   * opaque. The first four arguments of SelectInflowOpacityArray are ignored. Default: off, no
-   * array, range (0, 1). Valid: finite ranges.
+   * If on, multiply the opacity by a factor that depends on a point array. The factor increases
+   * linearly from 0 to 1 between the two values of the range; if the first value is larger, lower
+   * values are more opaque. The first four arguments of SelectInflowOpacityArray are ignored.
+   * Default: off, no array, range (0, 1). Valid: finite ranges.
    */
   void SetUseOpacityArray(bool use);
   void SelectInflowOpacityArray(int, int, int, int, const char* name);

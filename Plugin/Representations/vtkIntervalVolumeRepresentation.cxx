@@ -34,7 +34,7 @@ namespace
 {
 const char* const MAPPER_NAME = "Interlume";
 const char* const AUTOMATIC_DELTA_T = "DeltaT";
-/// Arrays with more components are not colors; the transfer functions are used instead.
+/// Arrays with more components do not contain colors; the transfer functions are used instead.
 constexpr int MAXIMUM_COLOR_COMPONENTS = 4;
 }
 
@@ -199,8 +199,9 @@ void vtkIntervalVolumeRepresentation::ConfigureCompositing(vtkInformation* view)
   }
   else if (!isOrdered || this->HaveExtentInTime)
   {
-    // Keep the pieces, and let ParaView order surfaces only. Redistribution would merge points that
-    // have equal positions but different times.
+    // Do not redistribute the cells. Either the blend mode does not depend on their order, or they
+    // have an extent in time, and redistribution would merge points that have equal positions but
+    // different times.
     vtkPVRenderView::SetOrderedCompositingConfiguration(
       view, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   }

@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Set the color and opacity functions of the color array. All opacities are multiplied by
-   * Opacity. Default: 1. Valid: 0 to 1; clamped.
+   * Set the color and opacity functions of the color array, and a factor for all opacities.
+   * Default: null, null, 1. Valid factors: 0 to 1; clamped.
    */
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
@@ -62,12 +62,12 @@ public:
   ///@}
 
   /**
-   * Set the color that is used if there is no color array. Default: white.
+   * Set the color to use if there is no color array. Default: white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   /**
-   * Set the mapper before the representation is added to a view. ParaView sets the mapper's
+   * Set the mapper. Call it before adding the representation to a view. ParaView sets the mapper's
    * properties directly. Default: a new mapper.
    */
   void SetMapper(vtkTimeWeightedTetrahedraMapper* mapper);
@@ -105,12 +105,12 @@ private:
   /// blend mode does not depend on order, if the bounds of the pieces are disjoint, or if sending
   /// the cells fails or changes them.
   void ConfigureCompositing(vtkInformation* view);
-  /// Connects the mappers of all processes to render one image if the blend mode allows it. Warns
-  /// if the blend mode requires a visibility order that the pieces do not have.
+  /// Connects the mappers of all processes to render one image if the blend mode allows it.
+  /// Otherwise, warns if the image may be incorrect.
   void GatherPieces(bool isReduced);
-  /// Issues a warning on the first process, once per text and session.
+  /// Issues a warning on the first process, but only once per session for each text.
   void WarnOnce(const std::string& text);
-  /// Called before the view is rendered.
+  /// Called before each rendering. Makes all processes render if they render one image together.
   void OnRenderStart();
 
   vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> Mapper;

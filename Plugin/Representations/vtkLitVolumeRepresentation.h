@@ -31,9 +31,9 @@ public:
 
   ///@{
   /**
-   * Set the lights before the representation is added to a view. ParaView sets the lights'
-   * properties directly, except those below. The cone of the area light is removed. Default: new
-   * lights.
+   * Set the lights. Call it before adding the representation to a view. ParaView sets their
+   * properties directly, except those that the methods below set. The area light is given no cone.
+   * Default: new lights.
    */
   void SetProjectiveLight(vtkProjectiveLight* light);
   void SetAreaLight(vtkAreaLight* light);
@@ -49,7 +49,7 @@ public:
 
   ///@{
   /**
-   * Set the size of the projective light's screen and of the area light, in world units.
+   * Set the sizes of the projective light's screen and of the area light, in world units.
    */
   void SetProjectiveLightScreenWidth(double width);
   void SetProjectiveLightScreenHeight(double height);
@@ -80,7 +80,7 @@ private:
   vtkLitVolumeRepresentation(const vtkLitVolumeRepresentation&) = delete;
   void operator=(const vtkLitVolumeRepresentation&) = delete;
 
-  /// Turns the lights on or off.
+  /// Turns a light on if its switch is on and the representation is visible, otherwise off.
   void UpdateLights();
 
   vtkSmartPointer<vtkProjectiveLight> ProjectiveLight;

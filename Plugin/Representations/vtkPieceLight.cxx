@@ -20,8 +20,8 @@
 namespace
 {
 constexpr int ImageSize = 128;
-// Factor by which the screen is larger than the piece, and by which the piece is enlarged for rays
-// that narrowly miss it.
+// Factor by which the screen is larger than the projection of the piece onto it, and by which the
+// piece is enlarged to include rays that narrowly miss it.
 constexpr double Margin = 1.05;
 
 using Point = std::array<double, 3>;
@@ -56,7 +56,7 @@ double Distance(const Point& a, const Point& b)
 }
 }
 
-/// The screen of a light that covers a piece, in world coordinates.
+/// Screen that covers a piece as seen from a light, in world coordinates.
 struct vtkPieceLight::View
 {
   bool IsPositional = false;
@@ -64,14 +64,14 @@ struct vtkPieceLight::View
   Point Forward{};
   Point Right{};
   Point Up{};
-  /// Distance from the position to the screen, and half of the screen's width and height.
+  /// Distance from Position to the screen, and half of the screen's width and height.
   double Distance = 1.0;
   double Half[2] = { 1.0, 1.0 };
   std::array<double, 6> Bounds{};
   vtkMatrix4x4* ToWorld = nullptr;
   vtkNew<vtkMatrix4x4> ToData;
 
-  /// Computes the screen. Returns false if no screen covers the box.
+  /// Computes the screen for the box \a bounds. Returns false if no screen can cover the box.
   bool Set(vtkLight* light, const double bounds[6], vtkMatrix4x4* matrix)
   {
     std::copy_n(bounds, 6, this->Bounds.begin());
@@ -122,7 +122,7 @@ struct vtkPieceLight::View
     return this->Half[0] > 0.0 && this->Half[1] > 0.0;
   }
 
-  /// Returns the world position on the screen at normalized coordinates from -1 to 1.
+  /// Returns the world position of a point on the screen. \a x and \a y range from -1 to 1.
   Point GetScreenPoint(double x, double y) const
   {
     const Point center = Along(this->Position, this->Distance, this->Forward);
@@ -242,8 +242,8 @@ vtkLight* vtkPieceLight::Update(vtkLight* light, const vtkExtinctionGrid& grid,
   key.insert(key.end(), view.Position.begin(), view.Position.end());
   key.insert(key.end(), view.Forward.begin(), view.Forward.end());
   key.push_back(static_cast<double>(version));
-  // The view's position and direction are part of the key, because VTK moves headlights and camera
-  // lights only by their transform matrix.
+  // The modification time is not sufficient: VTK moves headlights and camera lights by changing
+  // only their transform matrix. Therefore, the key also contains the position and direction.
   key.push_back(static_cast<double>(light->GetMTime()));
   if (key != this->Key)
   {

@@ -29,11 +29,11 @@ public:
   ~vtkPieceLight();
 
   /**
-   * Returns the replacement of \a light for the piece in the box \a bounds. The box is in grid
+   * Returns the light that replaces \a light for the piece in the box \a bounds. The box is in grid
    * coordinates, which \a matrix transforms to world coordinates. Increment \a version when the
-   * grid changes. Returns \a light itself in these cases: the medium outside does not attenuate it;
-   * no screen can cover the piece, because the light is inside or next to it; or it is an area
-   * light with an extent, whose soft shadows would become hard.
+   * grid changes. Returns \a light itself in these cases: the medium outside the piece does not
+   * attenuate it; no screen can cover the piece, because the light is inside or next to it; or it
+   * is an area light with an extent, whose soft shadows would become hard.
    */
   vtkLight* Update(vtkLight* light, const vtkExtinctionGrid& grid, unsigned long version,
     const double bounds[6], vtkMatrix4x4* matrix);

@@ -11,8 +11,8 @@
 
 namespace
 {
-/// Overlap of two boxes that is ignored, as a fraction of the smaller one. Pieces are split in
-/// single precision.
+/// Maximum overlap of two boxes along an axis that is ignored, as a fraction of the shorter edge.
+/// It allows for pieces that were split in single precision.
 constexpr double TOLERANCE = 1e-6;
 
 bool AreDisjointAlong(const double* a, const double* b)

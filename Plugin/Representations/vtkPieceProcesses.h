@@ -20,9 +20,9 @@ namespace vtkPieceProcesses
 vtkMultiProcessController* Find(vtkView* view, bool isReduced);
 
 /**
- * Returns true if the boxes of all pieces overlap at most in their faces, so that the pieces have a
- * visibility order for any view. All processes must call it together. Pass invalid bounds (lower
- * above upper) if this process has no piece.
+ * Returns true if the boxes of all pieces are disjoint, except for common faces, so that the pieces
+ * have a visibility order for any view. All processes must call it together. Pass invalid bounds
+ * (lower above upper) if this process has no piece.
  */
 bool AreDisjoint(vtkMultiProcessController* controller, const double bounds[6]);
 

@@ -27,7 +27,7 @@ namespace
 {
 using LightList = std::vector<vtkSmartPointer<vtkLight>>;
 
-/// Returns the brightest lights with a ShadowAttenuation above 0, at most \a number.
+/// Returns the brightest of the lights with a ShadowAttenuation above 0, at most \a number of them.
 std::set<vtkLight*> FindShadowLights(const LightList& lights, int number)
 {
   std::vector<vtkLight*> shadowLights;

@@ -18,9 +18,9 @@ vtkStandardNewMacro(vtkSMDisplayedVolumeRepresentationProxy);
 
 namespace
 {
-/// Adds a decorator that hides \a item, a property or a group, while \a type is selected. An item
-/// is shown only if all of its decorators show it. The hints are copied first, because other items
-/// may share them.
+/// Adds a decorator that hides a property or group while the representation \a type is selected. An
+/// item is shown only if all of its decorators show it. The hints of the item are copied first,
+/// because other items may share them.
 template <typename Item>
 void HideItem(Item* item, const char* type)
 {
@@ -64,9 +64,10 @@ void HideGroup(vtkSMPropertyGroup* group, const char* type, const char* exceptio
   }
 }
 
-/// Hides the elements listed in \a hidden while \a type is selected in \a display: each `Property`
-/// by its `name`, and each `Group` by its `label`, except the properties listed in `except`. Other
-/// types and other displays are not affected.
+/// Hides parts of the panel of \a display while the representation \a type is selected. \a hidden
+/// contains a `Property` with a `name` for each property to hide, and a `Group` with a `label` for
+/// each group. The properties in the attribute `except` of a group remain visible. Other displays
+/// are not affected.
 void HideParts(vtkSMProxy* display, const char* type, vtkPVXMLElement* hidden)
 {
   for (unsigned int i = 0; i < hidden->GetNumberOfNestedElements(); ++i)
@@ -135,8 +136,8 @@ void vtkSMDisplayedVolumeRepresentationProxy::DisplayChanged()
 
 void vtkSMDisplayedVolumeRepresentationProxy::FollowDisplay(vtkSMPVRepresentationProxy* display)
 {
-  // Since ParaView 5.12, the property of the display is named Translation. The earlier name
-  // Position is shared with this representation automatically.
+  // Since ParaView 5.12, this property of the display is named Translation. Earlier versions name
+  // it Position, and share it with this representation automatically.
   vtkSMProperty* translation = display->GetProperty("Translation");
   if (translation)
   {

@@ -14,9 +14,9 @@ class vtkSMPVRepresentationProxy;
  * @brief   proxy of a volume representation of the plugin, used as a subproxy of a display
  *
  * The attribute `type` of the XML hint Volume is the name of this representation in the display's
- * list of representations. The volume follows the translation of the display. While it is selected,
- * the display's panel hides the groups and properties listed in the XML hint Hidden, which do not
- * affect the volume.
+ * list of representations. The volume follows the translation of the display. While the volume is
+ * selected, the display's panel hides the groups and properties listed in the XML hint Hidden,
+ * which do not affect the volume.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMDisplayedVolumeRepresentationProxy
   : public vtkSMRepresentationProxy

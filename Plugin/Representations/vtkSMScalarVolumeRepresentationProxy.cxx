@@ -51,7 +51,7 @@ bool HasFunctions(vtkSMProxy* display)
 }
 
 /// Rank of an array; lower is better. The elements are true if the array contains ids, has a single
-/// value, is a cell array, or has several components.
+/// value, is a cell array, or has several components, respectively.
 using Rank = std::tuple<bool, bool, bool, bool>;
 
 /// Returns true if the array contains ids of points or cells.

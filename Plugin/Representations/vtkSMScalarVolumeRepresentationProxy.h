@@ -16,14 +16,14 @@
  *
  * - If the display has no color array, the proxy selects one. It prefers arrays that are not ids,
  *   then arrays whose range is not a single value, then point arrays, then arrays with one
- *   component. The proxy does not select an array if the user selects Solid Color while the volume
- *   is shown, while a state file is loaded, or during undo and redo. If the data have no array, the
+ *   component. The proxy does not select an array after the user has selected Solid Color for the
+ *   volume, while a state file is loaded, or during undo and redo. If the data have no array, the
  *   proxy tries again after the next change.
  * - If the array is listed in the XML hint Categories (ids 0, 1, ...), each id gets its own color,
  *   and all ids get the same opacity. Modified color and opacity functions remain unchanged.
- * - If there is an XML hint EstimatedOpacity, the array is not listed in Categories, and its
- *   opacity function is ParaView's default, a ramp from 0 to 1, the function is estimated from the
- *   data once (see OpacityEstimate). Functions from a state file remain unchanged.
+ * - If there is an XML hint EstimatedOpacity and the array is not listed in Categories, the opacity
+ *   function is estimated from the data once (see OpacityEstimate). This applies only to ParaView's
+ *   default function, a ramp from 0 to 1. Functions from a state file remain unchanged.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMScalarVolumeRepresentationProxy
   : public vtkSMDisplayedVolumeRepresentationProxy
@@ -43,22 +43,22 @@ private:
   vtkSMScalarVolumeRepresentationProxy(const vtkSMScalarVolumeRepresentationProxy&) = delete;
   void operator=(const vtkSMScalarVolumeRepresentationProxy&) = delete;
 
-  /// Colors the display by its array, or selects one first. Returns true if the display is colored
-  /// by an array afterward.
+  /// Colors the display by its array; if it has none, selects one first. Returns true on success.
   bool ColorDisplay(vtkSMPVRepresentationProxy* display);
   /// Sets separate colors for ids if the array is in the hint Categories.
   void ColorCategories(vtkSMPVRepresentationProxy* display);
-  /// Sets the opacities from the data, once for each function. Restored functions are not changed.
+  /// Estimates each opacity function from the data, but only once. Restored functions are not
+  /// changed.
   void EstimateOpacity(vtkSMPVRepresentationProxy* display, bool isRestoring);
 
   bool IsShown = false;
   bool NeedsArray = false;
   bool IsSolidByChoice = false;
-  /// Arguments of the last ColorCategories: array, color map and number of ids.
+  /// Array, color map and number of ids of the last call of vtkIdColors::Apply.
   std::string PreparedArray;
   vtkSMProxy* PreparedColors = nullptr;
   int PreparedIds = 0;
-  /// Global ids of the opacity functions that EstimateOpacity has set or left unchanged.
+  /// Global ids of the opacity function proxies that EstimateOpacity has set or left unchanged.
   std::set<vtkTypeUInt32> PreparedOpacities;
 };
 

@@ -83,7 +83,8 @@ void vtkScalarHistogramInformation::AddDataSet(vtkDataSet* data)
   vtkIdType offset = 0;
   for (vtkIdType begin = 0; begin < count; begin += step)
   {
-    // A constant offset could sample the same columns of all rows.
+    // Vary the offset. With a constant offset, all samples of an image could be in the same few
+    // columns.
     offset = (offset * 5 + 3) % step;
     const vtkIdType index = std::min(begin + offset, count - 1);
     this->Histogram->Add(this->Component < 0 ? GetMagnitude(array, index)

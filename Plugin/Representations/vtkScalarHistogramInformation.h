@@ -19,8 +19,9 @@ struct ValueHistogram;
  * @class   vtkScalarHistogramInformation
  * @brief   gathers the histogram of an array from all processes
  *
- * Gather it from a source. A large array is divided into about a million parts of equal size in
- * each process and dataset, and one sample of each part is counted, at a varying position.
+ * Pass it to GatherInformation of a source proxy. In each process and dataset, a large array is
+ * divided into about a million parts of equal size, and one tuple at a varying position represents
+ * each part in the histogram.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkScalarHistogramInformation : public vtkPVInformation
 {
@@ -30,8 +31,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Set the output port, the array, the component, or -1 for the magnitude, and the empty histogram
-   * to fill. Default: none.
+   * Set the output port of the source, the association and name of the array, the component (-1:
+   * the magnitude), and an empty histogram with the bins to use.
    */
   void Initialize(int port, int association, const std::string& array, int component,
     const interlume::ValueHistogram& histogram);

@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkSceneShadows);
 
 namespace
 {
-/// Returns the existing objects by renderer.
+/// Returns all existing vtkSceneShadows by their renderers.
 std::map<vtkRenderer*, vtkSceneShadows*>& GetAll()
 {
   static std::map<vtkRenderer*, vtkSceneShadows*> all;

@@ -36,8 +36,8 @@ public:
   vtkTypeMacro(vtkSceneShadows, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Settings of the pass, and the angle of the lights in degrees. The maximum of each setting over
-  /// all requests is used.
+  /// Settings of the pass, and the angular diameter of the lights in degrees. The maximum of each
+  /// setting over all requests is used.
   struct Request
   {
     bool HasShadows = false;
@@ -49,7 +49,7 @@ public:
   };
 
   /**
-   * Returns the object of \a renderer. Creates it if no caller holds one.
+   * Returns the vtkSceneShadows of \a renderer. Creates it if it does not exist.
    */
   static vtkSmartPointer<vtkSceneShadows> GetOrCreate(vtkRenderer* renderer);
 
@@ -71,7 +71,7 @@ private:
 
   /// Called before each rendering: replaces the lights, and installs or removes the pass.
   void UpdatePass();
-  /// Called after each rendering.
+  /// Called after each rendering, because UpdatePass may replace the lights.
   void RestoreLights();
 
   vtkWeakPointer<vtkRenderer> Renderer;

@@ -234,7 +234,7 @@ int vtkShadowedSliceRepresentation::RequestData(
 int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformation* request,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The superclass requires both the color array and the opacity array.
+  // To use an opacity array, the superclass requires that both it and the color array exist.
   const bool hasOpacityArray = this->UseSeparateOpacityArray;
   this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(image);
   if (hasOpacityArray && !this->UseSeparateOpacityArray && image && this->FindColors(image))

@@ -64,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Set the color and opacity functions of the color array. All opacities are multiplied by
-   * Opacity. Default: 1. Valid: 0 to 1; clamped.
+   * Set the color and opacity functions of the color array, and a factor for all opacities.
+   * Default: null, null, 1. Valid factors: 0 to 1; clamped.
    */
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
@@ -73,12 +73,12 @@ public:
   ///@}
 
   /**
-   * Set the color that is used if there is no color array. Default: white.
+   * Set the color to use if there is no color array. Default: white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   /**
-   * Set the mapper before the representation is added to a view. ParaView sets the mapper's
+   * Set the mapper. Call it before adding the representation to a view. ParaView sets the mapper's
    * properties directly. Default: a new mapper.
    */
   void SetMapper(vtkPieceSliceMapper* mapper);
@@ -158,16 +158,16 @@ private:
   vtkShadowedSliceRepresentation(const vtkShadowedSliceRepresentation&) = delete;
   void operator=(const vtkShadowedSliceRepresentation&) = delete;
 
-  /// Executes RequestData of the superclass for \a image, which is null in a process without data.
+  /// Calls RequestData of the superclass for \a image, which is null in a process without data.
   int ShowImage(vtkImageData* image, vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
   /// Returns the color array, or null if the dataset lacks it.
   vtkDataArray* FindColors(vtkDataSet* data);
   /// Returns true if the color array and a matching opacity array exist.
   bool CanCombineArrays(vtkDataObject* data);
-  /// Sets the scalars and the functions of the mapper for the current array.
+  /// Sets the input and functions of the mapper for the current color array, if any.
   void UpdateScalars();
-  /// Sets or removes the request of this representation for scene shadows.
+  /// Sets or removes this representation's request in the vtkSceneShadows of the renderer.
   void UpdateSceneShadows();
   /// Exchanges the extinction of the pieces if several processes render.
   void GatherPieces(bool isReduced);

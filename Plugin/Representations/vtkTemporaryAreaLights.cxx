@@ -33,8 +33,8 @@ void vtkTemporaryAreaLights::Begin(vtkRenderer* renderer, double angle)
       copy.Light->DeepCopy(light);
       copy.Time = light->GetMTime();
     }
-    // Compute the size from world positions. It is in world units even if the light has a transform
-    // matrix.
+    // Compute the size from world positions, because the size is in world units even if the light
+    // has a transform matrix.
     double position[3];
     double focalPoint[3];
     light->GetTransformedPosition(position);

@@ -6,8 +6,8 @@ class vtkImageData;
 class vtkTexture;
 
 /**
- * Returns the image of a texture that was selected in ParaView. Reads it again if its file has
- * changed. Returns null if the texture is null.
+ * Returns the image of a texture that was selected in ParaView, after updating its reader, or null
+ * if the texture is null.
  */
 vtkImageData* vtkTextureImage(vtkTexture* texture);
 

@@ -11,7 +11,8 @@
 
 namespace
 {
-/// Returns true if the function has the range to which ParaView extends a range of a single value.
+/// Returns true if the function is a ramp over the narrow range that ParaView uses for a constant
+/// array.
 bool HasSingleValueRange(vtkPiecewiseFunction* function)
 {
   if (function->GetSize() != 2)

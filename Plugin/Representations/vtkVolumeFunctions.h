@@ -17,7 +17,8 @@ class vtkVolumeProperty;
  * The functions that were set are used, with three exceptions:
  * - If there is no color array, the solid color and a constant opacity are used.
  * - If the array is constant, ParaView rescales the opacity ramp to a very narrow range, and the
- *   opacity at the value is 0. A constant opacity is used instead, so that the volume is visible.
+ *   opacity of the array's only value is 0. A constant opacity is used instead, so that the volume
+ *   is visible.
  * - If Opacity is below 1, the opacity function is multiplied by it.
  */
 class vtkVolumeFunctions
@@ -26,12 +27,13 @@ public:
   vtkVolumeFunctions();
   ~vtkVolumeFunctions();
 
-  /// Constant opacity per unit distance. About ten cells of the volume hide most of the background.
+  /// Constant opacity per unit distance. At this opacity, about ten cells hide most of the
+  /// background.
   static constexpr double FLAT_OPACITY = 0.1;
 
   ///@{
   /**
-   * Set the functions of the array. Null selects the default functions of vtkVolumeProperty.
+   * Set the functions of the color array. Null selects the default functions of vtkVolumeProperty.
    */
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
@@ -44,12 +46,13 @@ public:
   void SetOpacity(double opacity);
 
   /**
-   * Sets the color that is used without an array. Default: white.
+   * Sets the color to use if there is no color array. Default: white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   /**
-   * Sets the functions of \a property for an array, or for the solid color.
+   * Sets the functions of \a property: those of the color array if \a hasArray is true, otherwise
+   * those for the solid color.
    */
   void Apply(vtkVolumeProperty* property, bool hasArray);
 
@@ -63,7 +66,7 @@ private:
   vtkNew<vtkColorTransferFunction> Solid;
   vtkNew<vtkPiecewiseFunction> Flat;
   vtkNew<vtkPiecewiseFunction> Scaled;
-  /// The function, its modification time and the factor from which Scaled was computed.
+  /// Inputs from which Scaled was computed: the function, its modification time, and the factor.
   vtkPiecewiseFunction* ScaledSource = nullptr;
   vtkMTimeType ScaledTime = 0;
   double ScaledBy = 1.0;

@@ -29,10 +29,10 @@ namespace
 constexpr double LightColor[3] = { 1.0, 0.85, 0.3 };
 constexpr double ActiveColor[3] = { 1.0, 0.1, 0.1 };
 constexpr double LineWidth = 2.0;
-// Radius of a handle, and its distance from the edge, in units of HandleSize.
+// Radius of a handle, and its distance from the edge of the emitter, in units of HandleSize.
 constexpr double HandleRadius = 1.0;
 constexpr double HandleDistance = 3.0;
-// Maximum distance of the cursor from the center of a selected handle, in pixels.
+// Maximum distance from the cursor to the center of a handle at which it is selected, in pixels.
 constexpr double PickRadius = 12.0;
 constexpr int EllipseSides = 64;
 
@@ -144,7 +144,8 @@ void vtkAreaLightRepresentation::BuildOutline()
   {
     return;
   }
-  // Build both shapes as regular polygons, scaled by width and height. The square has four sides.
+  // Build both shapes as regular polygons, scaled by width and height. The rectangle is a scaled
+  // square.
   const bool isRound = this->GetShape() == vtkAreaLight::ROUND;
   const int sides = isRound ? EllipseSides : 4;
   const double radius = isRound ? 0.5 : std::sqrt(0.5);

@@ -9,7 +9,7 @@ uniform sampler3D groups;
 uniform sampler3D times;
 #endif
 #ifdef SURFACES
-// For each label, the number of its texture and the periodicity of u and v.
+// For each label, the index of its inflow texture and the periodicity of u and v.
 uniform sampler2D surfaces;
 #endif
 
@@ -77,8 +77,8 @@ void setSurface(inout Sample found, int label)
 #endif
 }
 
-// Interpolates between eight corners, and differentiates. Bit k of i is the position of corner i
-// along axis k.
+// Interpolates the values c of eight corners and computes the derivatives. Bit k of i is the
+// position of corner i along axis k.
 #define INTERPOLATE(TYPE, c, f, value, slopeX, slopeY, slopeZ) \
   { \
     TYPE x00 = c[1] - c[0]; \
@@ -114,7 +114,7 @@ void lookUpPosition(vec3 place, vec4 stored, inout Sample found)
 }
 #endif
 
-// Interpolates between the corners of a cell with one surface.
+// Interpolates within a cell whose corners all have the same label.
 void lookUpPlain(ivec3 cell, vec3 f, bool isSeam, inout Sample found)
 {
 #ifdef SEAMS
@@ -233,7 +233,8 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isBySides, inout Sample found)
 }
 #endif
 
-// Interpolates within a cell of one surface, with derivatives if required.
+// Interpolates within a cell whose corners all have the same label. Computes derivatives if
+// hasSlopes is true.
 void lookUpSurface(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample found)
 {
   bool isSeam = kind > SEAM;

@@ -1,6 +1,6 @@
 
-// Lookup in one inflow texture. FlowShader inserts a copy of this file for each image, and replaces
-// N by the image's name.
+// Looks up a color in an inflow texture. FlowShader inserts a copy of this file for each image, and
+// replaces N with the image's name.
 uniform sampler2D paint_N;
 uniform vec4 paintFrame_N;
 

@@ -1,5 +1,5 @@
 //INTERLUME::FEATURES
-// The textured flow as the medium of slices, see vtkSliceMedium.
+// Defines the textured flow as the medium that slices sample, see vtkSliceMedium.
 
 uniform vec3 lastCell;
 uniform vec3 voxels;

@@ -1,5 +1,5 @@
-// Texture colors at surface coordinates: premultiplied red, green and blue, and alpha, the opacity
-// per ScalarOpacityUnitDistance.
+// Computes texture colors at surface coordinates. Alpha is the opacity per
+// ScalarOpacityUnitDistance. Red, green and blue are premultiplied.
 
 uniform vec4 defaultColor;
 #ifdef DETAIL
@@ -19,7 +19,7 @@ uniform float timePhase;
 #endif
 #ifdef GATE
 uniform sampler2D gate;
-// Start and length of the range of the gate's function.
+// Start and length of the range of the TimeGate function.
 uniform vec2 gateRange;
 #endif
 #ifdef TRANSFER
@@ -32,8 +32,8 @@ uniform vec2 paintSize;
 uniform int largestPieces;
 #endif
 
-// Maps 0 ... 1 to the range from the center of the first texel to the center of the last. frame
-// contains the size of the range and its start.
+// Maps [0, 1] to the range from the center of the first texel to the center of the last. frame
+// contains the size of this range and its start.
 vec2 inTexture(vec2 place, vec4 frame)
 {
   return clamp(place, 0.0, 1.0) * frame.xy + frame.zw;
@@ -42,7 +42,8 @@ vec2 inTexture(vec2 place, vec4 frame)
 //INTERLUME::PAINTS
 
 #ifdef PAINT_FILTER
-// The axes of a sample's footprint: its segment of the ray, and a pixel at its distance.
+// The axes of a sample's footprint, in voxel coordinates: the sample's segment of the ray, and the
+// width and height of a pixel at the distance of the sample.
 struct Footprint
 {
   vec3 Piece;
@@ -77,7 +78,7 @@ void setFootprint(inout Sample found, Footprint footprint)
   float a = dot(along, along);
   float b = dot(x, x);
   float c = dot(y, y);
-  // Pieces along the ray are composited; pieces across the ray are averaged.
+  // If the axis is the ray, the pieces are composited. Otherwise, they are averaged.
   if (b > a && b >= c)
   {
     axis = footprint.PixelX;
@@ -109,7 +110,7 @@ float levelOf(vec2 texels)
 }
 #endif
 
-// Returns -log(1 - alpha), at most 69, accurate for small alpha too.
+// Returns -log(1 - alpha), limited to 69. The result is accurate for small alpha.
 float depthOf(float alpha)
 {
   return alpha < 0.05 ? alpha * (1.0 + alpha * (1.0 / 2.0 + alpha * (1.0 / 3.0 + alpha / 4.0)))
@@ -141,7 +142,8 @@ float gateAt(float injected)
 }
 #endif
 
-// Returns the texture color at a position along the longest axis of the footprint, -0.5 to 0.5.
+// Returns the texture color at a position along the longest axis of the footprint. share is the
+// position in [-0.5, 0.5].
 vec4 paintOf(Sample found, float share)
 {
   vec2 place = found.Coordinates;
@@ -205,8 +207,8 @@ int partsOf(Sample found)
 #endif
 }
 
-// Computes the color of a piece. Returns whether to draw it: pieces along the ray are drawn one by
-// one, pieces across the ray are drawn as their mean after the last.
+// Computes the color of a piece of a footprint. Returns whether to draw it: if the longest axis is
+// the ray, each piece is drawn, otherwise only the last one, with the mean color of all pieces.
 bool takePiece(Sample found, int piece, inout vec4 sum, out vec4 paint)
 {
 #ifdef PAINT_FILTER

@@ -1,4 +1,4 @@
-// Shading by the direction of a vector array or by the gradient of a scalar array.
+// Shades samples by the direction of a vector array or by the gradient of a scalar array.
 
 #ifdef SHADE
 uniform sampler3D shadingValues;
@@ -9,7 +9,7 @@ uniform vec3 material; // Ambient, diffuse, specular.
 uniform vec3 ambientLight;
 uniform vec3 worldOrigin; // Position of the first voxel relative to the center of the volume.
 #if LIGHTS > 0
-uniform vec3 lightDirections[LIGHTS]; // Direction toward the light, or its position, in world units.
+uniform vec3 lightDirections[LIGHTS]; // Direction toward the light or its position, in world units.
 uniform vec3 lightColors[LIGHTS];
 uniform float lightIsPositional[LIGHTS];
 #endif
@@ -29,7 +29,7 @@ vec3 shadingAt(vec3 place)
   return texture(shadingValues, (place + 0.5) / shadingVoxels).rgb;
 }
 
-// Returns the unit vector for shading, or 0 if there is none.
+// Returns the normalized vector or negative gradient in world space, or 0 if it is zero.
 vec3 axisAtVoxel(vec3 place)
 {
 #ifdef SHADE_VECTORS
@@ -50,7 +50,7 @@ vec2 reflectionOf(vec3 axis, vec3 l, vec3 eye)
 {
   bool isFlat = axis == vec3(0.0);
 #ifdef SHADE_VECTORS
-  // Use the normal of the line in the plane of the line and the light direction.
+  // Shade like a line along axis. Of its normals, use the one that is coplanar with the line and l.
   float along = dot(l, axis);
   float diffuse = isFlat ? 1.0 : sqrt(max(1.0 - along * along, 0.0));
   float mirrored = diffuse * sqrt(max(1.0 - dot(eye, axis) * dot(eye, axis), 0.0)) -

@@ -17,8 +17,8 @@ uniform vec3 rayDirection;
 uniform vec3 rayDirectionX;
 uniform vec3 rayDirectionY;
 uniform mat3 worldFromVoxels;
-// Distances of the near and far planes from the camera, in multiples of the ray's direction, and the
-// distance of the plane where distances along the ray are 0.
+// Distances of the near and far planes, and of the plane at which distances along the ray are 0, in
+// multiples of rayDirection. See FlowViewRays.
 uniform vec2 nearFar;
 uniform float centerDistance;
 uniform vec3 lastCell;
@@ -41,7 +41,7 @@ uniform vec2 pixelSize;
 
 const float OPAQUE_ENOUGH = 0.9999;
 
-// Returns 1 - (1 - alpha)^length, accurate for small values too.
+// Returns 1 - (1 - alpha)^length. The result is accurate for small alpha and length.
 float opacityOf(float alpha, float length)
 {
   float depth = depthOf(alpha) * length;

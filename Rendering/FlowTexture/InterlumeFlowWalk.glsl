@@ -5,7 +5,7 @@ struct Ray
 {
   vec3 Origin;
   vec3 Direction;
-  // Length of the ray's direction, in world units.
+  // Length of the direction before its normalization, in world units.
   float Unit;
   float Lower;
   float Upper;
@@ -81,8 +81,8 @@ Footprint footprintOf(Ray ray, float from, float piece)
     (rayOriginY + share * rayDirectionY) * pixelSize.y);
 }
 
-// Returns the size of a footprint, in voxels. Between two positions, the size is at most the larger
-// of the sizes at both.
+// Returns the size of the footprint at a distance along the ray, in voxels. On an interval of the
+// ray, the size is largest at one of the ends.
 float reachOf(Ray ray, float from)
 {
   return reachOf(footprintOf(ray, from - 0.5 * sampleDistance, sampleDistance));
@@ -113,7 +113,8 @@ bool addSized(Ray ray, Sample found, int code, vec3 place, inout vec4 sum)
 // Software OpenGL executes both sides of each branch, and each loop at least once. Therefore rare
 // cases have separate outer loops around the loop of the common case.
 
-// Traverses samples that are empty, or have one surface and a footprint of at most two texels.
+// Traverses samples in empty cells, and samples in cells of one surface whose footprint is at most
+// two texels long.
 void walkSmooth(inout Ray ray, float reach, float stride, inout vec4 sum)
 {
   while (true)
@@ -151,8 +152,8 @@ void walkSmooth(inout Ray ray, float reach, float stride, inout vec4 sum)
 }
 
 #ifdef PLAIN_CELLS
-// Traverses cells of one surface, while footprints may be longer than two texels or adjacent cells
-// are of another kind. Returns whether a split cell is next.
+// Traverses cells that are not split, while footprints may be longer than two texels or adjacent
+// cells are of another kind. Returns whether a split cell is next.
 bool walkPlain(inout Ray ray, inout vec4 sum)
 {
   bool isOver = false;
@@ -220,7 +221,7 @@ void walkCells(inout Ray ray, vec3 inverse, inout vec4 sum)
     float samples = 1.0;
     if (stored.x >= EMPTY)
     {
-      // All cells at a smaller distance are empty, so skip their samples.
+      // All cells closer than this distance are empty, so skip their samples.
       float distance = float(stored.x - EMPTY);
       vec3 ends = mix(cell + 1.0 - distance, cell + distance, greaterThan(ray.Direction, vec3(0.0)));
       vec3 exits = (ends - place) * inverse;

@@ -39,9 +39,9 @@ struct FlowVolumeRenderReport;
  * (which of u and v are periodic) are optional. For other grids, use SAMPLES_OF_IMAGE of
  * vtkImplicitFlowField.
  *
- * **Interpolation.** u, v and time are interpolated trilinearly between corners of a cell that have
- * the same surface. At borders between the regions of different surfaces, only the group of corners
- * with the largest weight is used. Borders are accurate to half a cell.
+ * **Interpolation.** u, v and time are interpolated trilinearly between corners of a cell that
+ * reached the same surface. At borders between the regions of different surfaces, only the group of
+ * corners with the largest weight is used. Borders are accurate to half a cell.
  *
  * **Opacity** refers to the ScalarOpacityUnitDistance of the vtkVolumeProperty. View rays are
  * sampled front to back at SampleDistance, without jitter.
@@ -68,7 +68,8 @@ struct FlowVolumeRenderReport;
  * Samples whose coordinates or time are not finite are treated as not having reached a surface.
  * Non-finite values of other arrays are treated as 0. Both trigger one warning per input.
  *
- * Errors (vtkErrorMacro, once for each state of the input and the mapper, without drawing):
+ * Errors are reported by vtkErrorMacro, once for each state of the input and the mapper. The volume
+ * is not drawn if
  * - the input is not an image, or an array is missing or has a wrong number of components;
  * - a texture image has the wrong type or too many dimensions;
  * - the textures exceed the GPU's texture units, texture size or memory, or MaximumTextureMemory;
@@ -101,7 +102,8 @@ public:
     GATE_BOTH = 2
   };
 
-  /// Id of the texture for all surfaces without their own texture.
+  /// Pass this instead of an id to set the texture of all surfaces that have no texture of their
+  /// own.
   static constexpr int ALL = -1;
 
   ///@{
@@ -129,7 +131,7 @@ public:
   ///@{
   /**
    * Set/Get the color (red, green, blue) and opacity of surfaces without a texture. Default 0.8,
-   * 0.8, 0.8, 0.05. Valid: finite; clamped to 0 ... 1 for rendering.
+   * 0.8, 0.8, 0.05. Valid: finite; clamped to [0, 1] for rendering.
    */
   vtkSetVector4Macro(DefaultColor, double);
   vtkGetVector4Macro(DefaultColor, double);
@@ -138,11 +140,11 @@ public:
   ///@{
   /**
    * Set/Get a second, repeating texture. A two-dimensional image is mapped to (u,v), a
-   * three-dimensional image to (u,v) and the time since inflow. It has the same types as an inflow
-   * texture. DetailScale is the number of repetitions per unit of u, v and time. DETAIL_MODULATE
-   * multiplies colors and opacities, DETAIL_OVER composites the detail over the inflow texture,
-   * DETAIL_ADD adds them, up to 1. Default none, DETAIL_MODULATE, (1, 1, 1). Valid: see
-   * DetailModes, clamped; finite scales.
+   * three-dimensional image to (u,v) and the time since inflow. It needs scalars like those of
+   * an inflow texture. DetailScale is the number of repetitions per unit of u, v and time.
+   * DETAIL_MODULATE multiplies colors and opacities, DETAIL_OVER composites the detail over the
+   * inflow texture, DETAIL_ADD adds the two and clamps to 1. Default none, DETAIL_MODULATE,
+   * (1, 1, 1). Valid: see DetailModes, clamped; finite scales.
    */
   void SetDetailTexture(vtkImageData* image);
   vtkImageData* GetDetailTexture() const { return this->DetailTexture; }
@@ -157,10 +159,11 @@ public:
 
   ///@{
   /**
-   * Set/Get a time gate: a function of the inflow time that multiplies the opacity, 0 to 1. At a
-   * sample with advection time t it is evaluated at TimePhase - t / TimePeriod. With TimeGateRepeat
-   * on, its interval 0 to 1 repeats, otherwise it is constant outside its range. TimeGateTarget
-   * selects the gated texture. If a modulating detail texture is gated by 0, it has no effect.
+   * Set/Get a time gate: a function of the inflow time whose value, 0 to 1, multiplies the opacity.
+   * At a sample with advection time t it is evaluated at TimePhase - t / TimePeriod. With
+   * TimeGateRepeat on, its values on [0, 1] repeat, otherwise it is constant outside its range.
+   * TimeGateTarget selects the gated texture. Where the gate is 0, a modulating detail texture has
+   * no effect.
    * Default none, GATE_INFLOW, on. Valid: see TimeGateTargets; clamped.
    */
   void SetTimeGate(vtkPiecewiseFunction* function);
@@ -251,7 +254,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the distance between samples along a view ray, or between slices with shadows, in
+   * Set/Get the distance between samples along a view ray or, with shadows, between slices, in
    * world units. 0, the default, uses half the smallest voxel spacing, or a quarter with shadows.
    * A ray has at most 60,000 / (MaximumTextureSamples + 5) samples; the report contains the
    * distance in use. Valid: 0 and above; clamped.
@@ -281,14 +284,14 @@ public:
   /**
    * Returns the report of the last frame:
    * - `Surfaces`, `SurfacesWithoutTexture`: number of surfaces that samples reached, and number of
-   *   these drawn in DefaultColor;
+   *   these surfaces drawn in DefaultColor;
    * - `NonFiniteSamples`: number of samples with a coordinate, time or value that is not finite;
    * - `EmptyCells`: number of cells without a corner that reached a surface;
    * - `SampleDistance`: distance between samples along a view ray, in world units;
-   * - `TextureBytes`: size of the textures, limited by MaximumTextureMemory;
-   * - `ShadowedLights`, `Slices`, `LightBufferBytes`: with shadows, number of lights with shadows,
-   *   number of slices, and size of the light buffers;
-   * - `Seconds`: time for this frame.
+   * - `TextureBytes`: size of the textures in bytes, limited by MaximumTextureMemory;
+   * - `ShadowedLights`, `Slices`, `LightBufferBytes`: with shadows, number of lights that cast
+   *   shadows, number of slices, and size of the light buffers in bytes;
+   * - `Seconds`: time for this frame in seconds.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -62,7 +62,7 @@ void vtkStreamlineTexture::AddTo(
   actor->GetProperty()->RemoveTexture(TimelinesName);
   if (streamlines && timelines)
   {
-    // In VTK's mode REPLACE, the color of the second texture is composited over the first.
+    // In VTK's REPLACE mode, the color of the second texture is composited over the first.
     timelines->SetBlendingMode(VTK_TEXTURE_BLENDING_MODE_REPLACE);
     actor->GetProperty()->SetTexture(TimelinesName, timelines);
   }

@@ -19,7 +19,7 @@ class vtkActor;
  * fewer lines instead of gray. Levels are blended, so lines fade in as the surface gets closer. On
  * screen, lines are TexelsPerLine / sqrt(2) to sqrt(2) * TexelsPerLine pixels apart, in the screen
  * direction in which they are closest. On closer surfaces, where this would require more than
- * NumberOfLines lines, the distance and width of lines grow with the surface.
+ * NumberOfLines lines, the distance and width of lines on screen grow as the surface gets closer.
  *
  * Like other textures of an actor, the texture multiplies the surface's color after lighting. A
  * white background keeps this color; with a background of opacity 0 only the lines are visible.
@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the texture coordinate that varies across the lines. Default S. Valid: S, T; clamped.
+   * Set/Get the texture coordinate that is constant on each line. Default S. Valid: S, T; clamped.
    */
   vtkSetClampMacro(Direction, int, S, T);
   vtkGetMacro(Direction, int);

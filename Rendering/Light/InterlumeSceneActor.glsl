@@ -5,16 +5,16 @@
 //INTERLUME::OCCLUDERS
 uniform float sceneStrengths[SCENE_LIGHTS];
 #ifdef TRANSMITTANCE
-// Transmittance of the volumes from each light to the surface visible in each pixel, and the depth
-// of that surface.
+// Transmittance of the volumes between each light and the surface visible in each pixel, with one
+// tile per light, and the depth of that surface.
 uniform sampler2D sceneTransmittance;
 uniform sampler2D sceneDepth;
-// First pixel and size of the viewport.
+// Lower left pixel and size of the viewport.
 uniform vec4 sceneViewport;
 uniform int sceneIsOpaque;
 
-// Returns the pixel that shows this surface. With multisampling, the fragment's own pixel can show
-// a different surface at edges; a neighbor is used then.
+// Returns the pixel that shows the fragment's surface. At edges with multisampling, the fragment's
+// own pixel can show a different surface. Then the neighbor with the closest depth is used.
 ivec2 scenePixel()
 {
   ivec2 here = ivec2(gl_FragCoord.xy - sceneViewport.xy);

@@ -2,8 +2,8 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Computes the fraction of a light that surfaces of the scene transmit to the cells of a grid, one
-// pixel per cell, averaged over eight positions.
+// Computes the fraction of a light that surfaces of the scene transmit to each cell of a grid,
+// averaged over eight positions in the cell. There is one pixel per cell.
 uniform mat4 unitFromCell;
 // Number of cells along x and y, and number of columns and rows of the texture.
 uniform vec4 cellColumns;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow map comparison with a tile of a depth map.
+// Compares depths with a tile of a shadow map.
 
 // Returns a 2 x 2 block of texels: the first row, then the second row.
 vec4 occluderTexels4(sampler2D map, vec2 texel)
@@ -13,23 +13,26 @@ vec4 occluderTexels4(sampler2D map, vec2 texel)
 #endif
 }
 
-// Compares a surface with the four texels around a position. Returns 1 for each texel that does not
-// shadow the surface, otherwise 0. Also returns the position between the texels (part), and the
-// depth gap between surface and occluder. The position is in normalized device coordinates of a
-// tile. tile contains the first column and row, the size, and the depth bias in units of
-// texelDepth. slope is the change of the surface's depth per unit of x and of y.
+// Compares a point of a surface with the four surrounding texels of a depth map. Returns 1 for each
+// texel that does not shadow the point, otherwise 0.
+// - tile: first column and row of the tile, its size, and the depth bias in units of texelDepth
+// - at: the point in normalized device coordinates of the tile
+// - slope: derivative of the surface's depth with respect to x and y
+// - part: returns the interpolation weights of the second column and row
+// - gap: returns the depth differences between the surface and the texels
 vec4 litTexels(sampler2D map, vec4 tile, float texelDepth, vec3 at, vec2 slope, out vec2 part, out vec4 gap)
 {
   vec2 place = (at.xy * 0.5 + 0.5) * tile.z - 0.5;
   vec2 first = clamp(floor(place), vec2(0.0), vec2(tile.z - 2.0));
   part = clamp(place - first, 0.0, 1.0);
-  // Depth of the surface's plane at each texel center. The slope is limited for grazing surfaces.
+  // Depth change of the surface's plane from the position to each texel center, limited for grazing
+  // surfaces.
   vec2 toFirst = slope * (first - place) * (2.0 / tile.z);
   vec2 toSecond = toFirst + slope * (2.0 / tile.z);
   float most = 64.0 * texelDepth;
   vec4 change = clamp(
     vec4(toFirst.x, toSecond.x, toFirst.x, toSecond.x) + vec2(toFirst.y, toSecond.y).xxyy, -most, most);
-  // Depths behind the background are replaced by the background depth.
+  // Depths behind the background are clamped to its depth.
   vec4 depths = min(at.z + change - tile.w * texelDepth, vec4(1.0));
   vec4 texels = occluderTexels4(map, tile.xy + first) * 2.0 - 1.0;
   gap = depths - texels;

@@ -4,27 +4,33 @@
 // axis, depth is A - B / w for positional lights, otherwise A + B w.
 
 uniform sampler2D emitterDepths;
-// Transformation to the unit space of the scene's surfaces.
+// Transformation from positions to the unit space of the scene's surfaces.
 uniform mat4 emitterFromPosition;
 #ifdef OCCLUDER_PLANES
 uniform mat4 positionFromEmitter;
 #endif
-// Five vectors per light: position, and 1 if it is positional; A and B of the depth (A - B / z if
-// positional, A + B * z if directional), and the first tile; the first sample, the number of
-// samples, the first cube face and the number of faces; the width and height of the emitter area
-// per sample.
+// Five vectors per light:
+// - position, and 1 for a positional light, otherwise 0
+// - depth coefficients A and B (see above), and the first tile
+// - first sample, number of samples, first cube face and number of cube faces
+// - width of the filter that smooths a sample's shadow, as a vector on the emitter
+// - height of that filter, as a vector on the emitter
 uniform vec4 emitters[5 * EMITTERS];
-// Per cube face: right, up, and the axis.
+// Three vectors per cube face: right, up and forward.
 uniform vec3 emitterSides[3 * EMITTER_SIDES];
-// Per sample: offset from the light's position, or lateral offset per unit distance along the axis
-// of a directional light; scale and center of its window; its fraction of the light.
+// Three vectors per sample:
+// - offset from the light's position, or, for a directional light, lateral offset per unit distance
+//   along the axis
+// - scale and center of the window
+// - fraction of the light's color
 uniform vec4 emitterSamples[3 * EMITTER_SAMPLES];
 // Number of tiles per row, number of columns per tile, and the bias in texels.
 uniform vec3 emitterTiles;
 
-// A position projected onto the map of a sample: tile, coordinates in the tile, slope, and the
-// depth difference equal to a texel's width. moves are the shifts in the map, per unit of the gap
-// to an occluder, that correspond to the width and height of the sample's emitter area.
+// A position projected onto the map of a sample. texelDepth is the depth difference that
+// corresponds to the width of a texel. tile, at and slope are arguments of litTexels. moves are the
+// shifts in the map, per unit of depth difference to an occluder, that correspond to the width and
+// height vectors of the smoothing filter.
 struct EmitterProjection
 {
   bool isSeen;
@@ -35,8 +41,8 @@ struct EmitterProjection
   vec2 moves[2];
 };
 
-// Projects a position on a plane onto the map of a sample. Both are in the unit space of the
-// scene's surfaces.
+// Projects a position on a plane onto the map of a sample. The position and the plane are in the
+// unit space of the scene's surfaces.
 EmitterProjection seenFromSample(int emitter, int number, vec3 place, vec4 plane)
 {
   vec4 center = emitters[5 * emitter];
@@ -56,7 +62,6 @@ EmitterProjection seenFromSample(int emitter, int number, vec3 place, vec4 plane
     side = 2 * axis + (way[axis] > 0.0 ? 1 : 0);
   }
   int first = 3 * (int(parts.z) + side);
-  // The axes are the columns of the matrix.
   mat3 axes = mat3(emitterSides[first], emitterSides[first + 1], emitterSides[first + 2]);
   vec3 seen = way * axes;
   vec2 texels = 2.0 / (emitterTiles.y * window.xy);
@@ -80,7 +85,7 @@ EmitterProjection seenFromSample(int emitter, int number, vec3 place, vec4 plane
                               : -normal.z - dot(normal.xy, offset.xy);
   result.slope = abs(facing) > 0.0 ? normal.xy * depth.y / (facing * window.xy) : result.slope;
 #endif
-  // Different points of the emitter see an occluder at different positions of the map.
+  // Different points of the emitter see an occluder at different positions in the map.
   for (int i = 0; i < 2; ++i)
   {
     result.moves[i] = (emitters[5 * emitter + 3 + i].xyz * axes).xy * window.xy / depth.y;
@@ -107,9 +112,9 @@ vec4 planeInEmitters(vec4 plane)
 #endif
 }
 
-// Returns the fraction of a sample's light that reaches a position. The plane through it is used
-// only with OCCLUDER_PLANES. gap is the depth difference between position and occluder, weighted by
-// the occluded fraction.
+// Returns the fraction of a sample's light that reaches a position. plane is the plane of the
+// surface at the position; it is used only with OCCLUDER_PLANES. gap returns the depth difference
+// between the position and occluders, weighted by the occluded fraction.
 float lightOfSample(int emitter, int number, vec3 place, vec4 plane, out float gap)
 {
   EmitterProjection seen = seenFromSample(emitter, number, place, plane);
@@ -132,8 +137,9 @@ float lightOfEmitterSample(int emitter, int number, vec3 place, vec4 plane)
 }
 
 #ifdef OCCLUDER_PLANES
-// Returns the fraction from lightOfSample, averaged over the sample's emitter area, for a given gap
-// to the occluder. Occluders with a gap below least are ignored.
+// Returns the fraction from lightOfSample, averaged over the smoothing filter on the emitter. gap
+// is the assumed depth difference to the occluder. Occluders with a depth difference below least
+// are ignored.
 float lightAroundSample(int emitter, int number, vec3 place, vec4 plane, float gap, float least)
 {
   EmitterProjection seen = seenFromSample(emitter, number, place, plane);
@@ -158,7 +164,7 @@ float lightAroundSample(int emitter, int number, vec3 place, vec4 plane, float g
 }
 #endif
 
-// Returns the fraction of the light that reaches a position, summed over all samples.
+// Returns the fraction of the light of all samples that reaches a position.
 vec3 lightOfEmitter(int emitter, vec3 place, vec4 plane)
 {
   vec3 here = inEmitters(place);
@@ -177,9 +183,9 @@ vec3 lightOfEmitter(int emitter, vec3 place, vec4 plane)
     gaps += gap;
   }
 #ifdef OCCLUDER_PLANES
-  // In a penumbra, smooth the steps between samples. For a lit sample, ignore occluders whose gap
-  // is much smaller than the mean gap. Otherwise, a wall would darken surfaces at its foot, where
-  // it has almost no gap.
+  // In a penumbra, smooth the steps between samples. For an unoccluded sample, ignore occluders
+  // that are much closer to the position than occluders are on average. Otherwise, a wall would
+  // darken the floor next to it.
   if (taken > 0.0 && taken < float(end - first))
   {
     const float tolerance = 0.5;

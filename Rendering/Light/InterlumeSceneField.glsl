@@ -3,8 +3,8 @@
 uniform sampler3D sceneFieldFIELD;
 uniform mat4 sceneNodeFromViewFIELD;
 uniform mat4 sceneWorldFromViewFIELD;
-// Number of nodes of a map along each axis, and the texture size along z, or 0 without scattered
-// light.
+// Number of nodes of a map along each axis, and the texture size along z, or 0 if there is no
+// scattered light.
 uniform vec4 sceneNodesFIELD;
 uniform float sceneAheadFIELD;
 //INTERLUME::LIGHTS
@@ -23,8 +23,8 @@ vec3 sceneScatteredFIELD(vec3 place, vec3 normal)
   vec3 here = (sceneNodeFromViewFIELD * vec4(place, 1.0)).xyz;
   vec3 n = normalize(mat3(sceneNodeFromViewFIELD) * normal);
   vec3 node = here + sceneAheadFIELD * dot(abs(n), vec3(1.0)) * n;
-  // Vector to the nearest point of the box, whose faces are half a cell outside the outermost
-  // nodes.
+  // Vector to the nearest point of the grid's box, whose faces are half a cell outside the
+  // outermost nodes.
   vec3 way = clamp(here, vec3(-0.5), sceneNodesFIELD.xyz - 0.5) - here;
   float distance = length(way);
   vec3 toBox = distance > 0.0 ? way / distance : n;

@@ -7,13 +7,15 @@ uniform mat4 occluderFromPosition[OCCLUDER_VIEWS];
 #ifdef OCCLUDER_PLANES
 uniform mat4 positionFromOccluder[OCCLUDER_VIEWS];
 #endif
-// Per view: first column and row of the tile, its size, and the bias in texels.
+// For each view, first column and row of its tile, size of the tile, and depth bias in texels.
 uniform vec4 occluderTiles[OCCLUDER_VIEWS];
-// Depth difference equal to a texel's width: the first component plus the second over w.
+// For each view, coefficients a and b of the depth difference a + b / w that corresponds to the
+// width of a texel.
 uniform vec2 occluderTexels[OCCLUDER_VIEWS];
 
-// Returns the fraction of a light that reaches a position. The plane through it is used only with
-// OCCLUDER_PLANES. The light has the given number of views, starting at the first.
+// Returns the fraction of a light that reaches a position. first is the index of the light's first
+// view, and views is the number of its views. plane is the plane of the surface at the position; it
+// is used only with OCCLUDER_PLANES.
 float lightOfOccluders(int first, int views, vec3 place, vec4 plane)
 {
   for (int view = first; view < first + views; ++view)

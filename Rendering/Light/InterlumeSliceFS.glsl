@@ -37,7 +37,8 @@ uniform vec4 materials[ROWS];
 uniform vec3 ambient;
 #endif
 #if defined(SHADE) && !defined(CUSTOM_MEDIUM)
-// Per table row, the change per voxel, in columns, above which a sample is shaded as a surface.
+// For each table row, the change per voxel, in table columns, above which a sample is shaded
+// entirely as a surface.
 uniform vec4 surfaceColumns;
 #endif
 #endif
@@ -45,8 +46,8 @@ uniform vec4 surfaceColumns;
 //VTK::Output::Dec
 //INTERLUME::MEDIUM
 
-// Segment of the view ray inside the slab, the sample in its center, and its optical depth. main
-// sets them; the initial values avoid compiler warnings.
+// Segment of the view ray inside the slab, the sample that represents it, and the segment's optical
+// depth. main sets these variables; the initial values avoid compiler warnings.
 vec3 segmentStart = vec3(0.0);
 vec3 segmentEnd = vec3(0.0);
 vec3 startInTexture = vec3(0.0);
@@ -61,7 +62,7 @@ float opacity = 0.0;
 bool isFront = false;
 #endif
 #ifdef SPANS
-// Samples at the ends of the segment. The initial values avoid warnings of Mesa.
+// Samples at the ends of the segment. The initial values avoid warnings from Mesa.
 const MediumSample noMedium = MediumSample(VALUES(0.0), VALUES(0.0), VALUES(0.0), 0.0, vec4(0.0));
 MediumSample startSample = noMedium;
 MediumSample endSample = noMedium;
@@ -85,7 +86,7 @@ vec3 samplePart = vec3(0.0);
 #endif
 
 #ifdef LIT
-// Per table row: color, fraction of the extinction, normal, and surface weight from 0 to 1.
+// For each table row, color, fraction of the extinction, normal, and surface weight from 0 to 1.
 vec3 rowColors[ROWS];
 float rowFractions[ROWS];
 #if defined(SHADE) && defined(CUSTOM_MEDIUM)
@@ -115,9 +116,9 @@ vec3 meanOfProduct(vec3 first, vec3 last)
 #endif
 
 #if defined(BACK_TO_FRONT) || defined(SPANS)
-// Returns the visibility-weighted mean over the segment of light known at its ends. Decreasing
-// light is interpolated exponentially, increasing light linearly, since exponential growth is
-// unbounded.
+// Returns the visibility-weighted mean of light over the segment, given its values at both ends.
+// Decreasing light is interpolated exponentially, increasing light linearly, since exponential
+// growth is unbounded.
 float meanFrom(float start, float end)
 {
   float transmittance = 1.0 - opacity;
@@ -263,7 +264,7 @@ void main()
   sampleExtinction = extinctionsAt(sampleAt, sampleInTexture, texel, parts);
 #endif
 #ifdef EMPTY
-  // Fragments without a depth mark are drawn by the next program.
+  // Nonempty fragments are discarded without writing a depth, so that the next program draws them.
   if (sampleExtinction > 0.0)
   {
     discard;
@@ -271,7 +272,7 @@ void main()
   gl_FragData[0] = vec4(0.0);
 #else
 #ifdef THIN
-  // Fragments without a depth mark are drawn as thick fragments next.
+  // Thick fragments are discarded without writing a depth, so that the next program draws them.
   if (sampleExtinction * (upper - lower) > MINIMUM_DEPTH)
   {
     discard;

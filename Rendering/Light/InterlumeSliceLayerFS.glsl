@@ -2,9 +2,9 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Resamples maps between the views of an emitter's center and of its samples. Two views of a plane
-// are related by a homography. Layers of samples are stacked vertically in one texture. place is a
-// position in clip coordinates of the light buffer.
+// Resamples transmittance maps between the views of an emitter's center and of its samples. Two
+// views of a plane are related by a homography. Layers of samples are stacked vertically in one
+// texture. place is a position in clip coordinates of the light buffer.
 in vec3 place;
 uniform sampler2D map;
 #ifdef JOIN
@@ -14,8 +14,8 @@ uniform sampler2D batch2;
 
 // Returns the mean of the layers, sharpened. Interpolating the layers and their mean blurs edges,
 // so that penumbras of a few texels would be too wide. Subtracting a fraction of the second
-// difference compensates for this. The result is limited to the range of the neighbors. Small
-// differences come from the emitter's samples and are ignored.
+// difference compensates for this. The result is clamped to the range of the texel and its
+// neighbors. Small differences are ignored because they are steps between the emitter's samples.
 vec4 getSharpMean(vec2 at)
 {
   const float share = 0.5;
@@ -44,8 +44,8 @@ uniform float weights[LAYERS];
 // Half a texel of a layer, to avoid sampling the adjacent layer.
 uniform float margin;
 #else
-// Transformations from clip coordinates of the light buffer to the vector from a point of the plane
-// to the emitter's center, and to the sample, times a common factor.
+// Matrices that map clip coordinates of the light buffer to the vector from the corresponding point
+// of the plane to the emitter's center or to the sample. Both vectors have the same scale.
 uniform mat3 vectorToCenter;
 uniform mat3 vectorToSample;
 uniform vec3 sliceNormal;
@@ -75,7 +75,8 @@ void main()
 #else
   vec3 center = vectorToCenter * vec3(place.xy, 1.0);
   vec3 way = vectorToSample * vec3(place.xy, 1.0);
-  // Ratio of the path lengths through a slab along the rays to the sample and to the center.
+  // Find the length of the path through a slab along the ray to the sample, relative to the path
+  // along the ray to the center.
   float rise = dot(center, sliceNormal);
   float fall = dot(way, sliceNormal);
   float longer = sqrt(dot(way, way) / dot(center, center)) * abs(rise / fall);

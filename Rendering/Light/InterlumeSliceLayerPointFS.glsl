@@ -2,10 +2,11 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Computes the transmittance of an area light's layers at a surface behind all slices, for the
-// pixel that shows it. Each layer is looked up as seen from its own emitter sample. Layers are
-// stacked vertically in textures. If surfaces also cast shadows, the result is the mean over the
-// samples that surfaces do not hide, since it is multiplied by the fraction of these samples.
+// Computes the mean transmittance of an area light's layers at a point of a surface behind all
+// slices. Each layer is looked up as seen from its own emitter sample. Layers are stacked
+// vertically in textures. If surfaces also cast shadows, the result is the mean over the samples
+// that surfaces do not hide, since the shader of the surface multiplies it by the fraction of these
+// samples.
 in vec3 place;
 uniform mat4 layerFromUnit[LAYERS];
 uniform float layerWeights[LAYERS];
@@ -16,13 +17,13 @@ uniform float margin;
 
 //VTK::Output::Dec
 
-// Total weight of the samples that surfaces do not hide, and the light that the medium absorbs:
-// from all samples, and from the samples not hidden.
+// Total weight of the samples that surfaces do not hide, and the fraction of light that the medium
+// absorbs from all samples and from samples that are not hidden.
 float seen = 0.0;
 vec4 dark = vec4(0.0);
 vec4 darkOfSeen = vec4(0.0);
 
-// Adds the given layers of a texture.
+// Adds count layers of a texture to the sums. first is the index of the first layer.
 void addLayers(sampler2D stack, int first, int count)
 {
   for (int i = 0; i < count; ++i)

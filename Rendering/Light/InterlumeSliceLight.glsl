@@ -31,8 +31,8 @@ uniform mat3 frame_INDEX;
 #else
 uniform mat4 bufferFromUnit_INDEX;
 #ifdef THICK
-// Copy of the buffer from some slabs earlier: the transmittance up to layerEntrance along the slice
-// normal.
+// Copy of the buffer from a few slabs earlier. It holds the transmittance up to the plane at
+// layerEntrance along the slice normal.
 uniform sampler2D layer_INDEX;
 uniform float layerEntrance_INDEX;
 // Length of a voxel along the light direction.
@@ -51,8 +51,8 @@ vec3 getDirection_INDEX()
 #endif
 }
 
-// Returns the factor that multiplies the light's color at the sample, without attenuation by the
-// medium.
+// Returns the factor that multiplies the light's color at the sample, before attenuation by the
+// medium. l is the light's direction.
 vec3 getColor_INDEX(vec3 l)
 {
   vec3 color = vec3(1.0);
@@ -76,8 +76,9 @@ vec3 getColor_INDEX(vec3 l)
 }
 
 #ifdef SHADOW_INDEX
-// Returns the length of the light's path along l, up to x, inside both the slab and the volume's
-// box. p is x in texture coordinates; inverse is the reciprocal of l in texture coordinates.
+// Returns the length of the light ray that travels along l to x, counting only the part inside both
+// the slab and the volume's box. p is x in texture coordinates; inverse is the reciprocal of l in
+// texture coordinates.
 float getDistance_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 {
   float path = (dot(x, sliceNormal) - sliceEntrance) / max(dot(l, sliceNormal), 1e-6);
@@ -90,7 +91,7 @@ float getDistance_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
   return max(-lower, 0.0);
 }
 
-// Returns the path length from getDistance_INDEX without its cropped parts.
+// Returns the length from getDistance_INDEX without the cropped parts of the ray.
 float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 {
   float lower = -getDistance_INDEX(x, p, l, inverse);
@@ -157,7 +158,7 @@ LIGHT getOutside_INDEX(vec3 x)
 
 #endif
 #ifdef WIDE_INDEX
-// Returns the ray direction of a buffer texel: see SliceLightFS.
+// Returns the ray direction of a buffer texel, as in InterlumeSliceLightFS.glsl.
 vec3 getTexelRay_INDEX(ivec2 texel)
 {
   ivec2 size = textureSize(buffer_INDEX, 0);
@@ -166,7 +167,8 @@ vec3 getTexelRay_INDEX(ivec2 texel)
   return normalize(frame_INDEX * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
 }
 
-// Returns the length of a light ray inside the volume's box in front of the slab.
+// Returns the length of the part of a light ray that is inside the volume's box and in front of the
+// slab.
 float getDistanceToSlab_INDEX(vec3 ray)
 {
   float lower = 0.0;
@@ -182,14 +184,15 @@ LIGHT getOutside_INDEX(vec3 l)
   vec3 p = l * frame_INDEX;
   p.xy /= abs(p.x) + abs(p.y) + max(p.z, 0.0);
   vec2 uv = vec2(p.x + p.y, p.x - p.y) * 0.5 + 0.5;
-  // Interpolate transmittance: the mean of optical depths next to a shadow edge would be as dark as
-  // the shadow.
+  // Interpolate transmittance instead of optical depth. At a shadow edge, the mean of optical
+  // depths would be as dark as the shadow.
   LIGHT texels[4];
   vec2 part;
   getTexels_INDEX(buffer_INDEX, uv, texels, part);
   ivec2 corner = ivec2(floor(uv * vec2(textureSize(buffer_INDEX, 0)) - 0.5));
-  // Rays that exit the volume before the slab keep their depth. Other depths scale with the path
-  // length, but by no more than the ratio of the cosines between the rays and the normal.
+  // Scale the optical depth of each texel's ray by the ratio of path lengths inside the volume.
+  // Rays that exit the volume before the slab therefore keep about the same depth. The ratio of the
+  // cosines between the rays and the normal limits the factor.
   float way = getDistanceToSlab_INDEX(l);
   float slope = max(dot(l, sliceNormal), 1e-6);
   for (int i = 0; i < 4; ++i)
@@ -206,8 +209,8 @@ LIGHT getOutside_INDEX(vec3 l)
 
 #endif
 #if defined(THICK) && !defined(WIDE_INDEX)
-// Returns the optical depth along l from the layer to x, in steps that grow with the distance from
-// x. Sets isHard if extinction jumps in between.
+// Returns the optical depth along l from the layer to x, integrated in steps that grow with the
+// distance from x. Sets isHard if extinction jumps in between.
 LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
 {
   float whole =
@@ -245,7 +248,7 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 {
   // Largest invisible difference in transmittance.
   const float least = 0.02;
-  // Mean visible position in the segment.
+  // Visibility-weighted mean position in the segment, from 0 to 1.
   float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
                                    : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
   vec4 b = bufferFromUnit_INDEX * vec4(mix(segmentStart, segmentEnd, seen), 1.0);
@@ -268,8 +271,8 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
   bool isHard = isFront;
 
   // If the medium begins inside the segment, the position where it begins is known to within a few
-  // hundredths of a voxel. One sample is in front of that position and one well behind. Otherwise
-  // the samples are Gauss points of the visible part.
+  // hundredths of a voxel. One sample is then placed in front of that position and another well
+  // behind it. Otherwise the samples are the Gauss points of the visible part.
   float size = distance(segmentStart, segmentEnd);
   float reach = min(size, 3.0 / sampleExtinction);
   float ahead = isFront ? -0.15 * voxelLength_INDEX : 0.2113 * reach;
@@ -294,8 +297,8 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 #endif
 
 #if (defined(SPANS) || defined(BACK_TO_FRONT)) && !defined(WIDE_INDEX)
-// Returns the transmittance along l up to the segment end at which light leaves the slab. At the
-// other end light enters the slab.
+// Returns the transmittance along l up to the end of the segment on the side where light leaves the
+// slab.
 LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
 {
 #ifdef BACK_TO_FRONT
@@ -337,8 +340,9 @@ LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
   return outside * exp(-depth);
 }
 
-// Returns the transmittance up to the segment end at which light enters the slab. Light passes
-// through the medium before that end only if the segment is cut.
+// Returns the transmittance along l up to the end of the segment on the side where light enters the
+// slab. The light passes through the medium of the slab before it reaches that end only if the
+// segment is cut.
 LIGHT getNearEnd_INDEX(vec3 l, vec3 inverse)
 {
 #ifdef BACK_TO_FRONT
@@ -351,8 +355,8 @@ LIGHT getNearEnd_INDEX(vec3 l, vec3 inverse)
 }
 #endif
 
-// Returns the transmittance from the light to the segment: up to the slab, from the buffer; inside
-// the slab, the visibility-weighted mean over the segment.
+// Returns the transmittance from the light to the segment. The transmittance up to the slab is
+// looked up in the buffer. Inside the slab, it is the visibility-weighted mean over the segment.
 LIGHT getTransmittance_INDEX(vec3 l)
 {
 #ifdef WIDE_INDEX

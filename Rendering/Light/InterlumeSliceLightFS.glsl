@@ -5,7 +5,8 @@
 // Computes a light's transmittance through one slab, which is multiplied into the buffer. For a
 // light inside or near the volume, the buffer accumulates optical depth times the cosine between
 // ray and normal. This product varies smoothly along the slices, unlike the transmittance of
-// increasingly long rays. place is in unit space or, for such a light, in its buffer, 0 to 1.
+// increasingly long rays. place is a position in unit space or, for a light inside or near the
+// volume, in the buffer (from 0 to 1).
 in vec3 place;
 #ifdef WIDE
 uniform mat3 frame;
@@ -26,12 +27,12 @@ void main()
   vec3 texelY = dFdy(place);
 #endif
 #ifdef WIDE
-  // Octahedral map of the half space lit by this sweep.
+  // Octahedral map of the directions in the half space lit by this sweep.
   vec2 corner = place.xy * 2.0 - 1.0;
   vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;
   vec3 l = normalize(frame * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
 #ifdef CUSTOM_MEDIUM
-  // Distance between the rays of adjacent texels, at distance 1 from the light.
+  // Vectors between the rays of adjacent texels, at distance 1 from the light.
   vec3 texelX = dFdx(l);
   vec3 texelY = dFdy(l);
 #endif

@@ -11,7 +11,7 @@ uniform sampler2D extinctions;
 #ifdef SUMS
 uniform sampler2D extinctionSums;
 #endif
-// A table column is (texel - origin) * scale.
+// A table column is (texel - columnOrigin) * columnScale.
 uniform vec4 columnScale;
 uniform vec4 columnOrigin;
 #ifdef BENDS
@@ -19,7 +19,7 @@ uniform sampler2D bends;
 #endif
 #endif
 uniform mat4 textureFromUnit;
-// Length in world units of one unit of unit space.
+// Length of one unit of unit space in world units.
 uniform float worldLength;
 #ifdef MASK
 uniform sampler3D mask;
@@ -36,14 +36,14 @@ uniform vec3 voxel;
 #endif
 #ifdef GRADIENT_OPACITY
 uniform sampler2D gradientOpacities;
-// Factors that convert half a difference into the magnitude expected by the gradient opacity
-// functions.
+// Factors that convert the result of differencesAt into gradient components, as expected by the
+// gradient opacity functions.
 uniform vec3 gradientSteps;
 uniform vec4 gradientColumnScale;
 uniform vec4 unitDistances;
 #endif
 
-// The slab extends from sliceEntrance by sliceSpacing along the normal.
+// The slab extends from sliceEntrance to sliceEntrance + sliceSpacing along the normal.
 uniform vec3 sliceNormal;
 uniform float sliceEntrance;
 uniform float sliceSpacing;
@@ -62,11 +62,11 @@ vec4 bendAt(int texel)
   return texelFetch(bends, ivec2(texel & (COLUMNS - 1), texel / COLUMNS), 0);
 }
 
-// Returns the value between two columns from a list of pieces that begins at a texel: see
-// TransferColumns.
+// Returns the value at the fraction share of the interval between two columns. The value is in a
+// list of linear pieces, and first is the first texel of the list: see TransferColumns.
 float lookUpBends(int first, int pieces, float share)
 {
-  // Find the first piece that ends after the fraction.
+  // Find the first piece that ends after share.
   int low = first + 1;
   int high = first + pieces;
   while (low < high)
@@ -82,9 +82,9 @@ float lookUpBends(int first, int pieces, float share)
 #endif
 
 // A texel holds the values of its column and of the next column. If there are breakpoints between
-// these columns, it holds the negated position and the size of the list of breakpoints instead.
-// With EDGES, two more components hold the factor and offset that map a fraction of the interval to
-// a fraction of its steep edge.
+// these columns, it instead holds the negated position of their list in bends, and the number of
+// pieces. With EDGES, two more components hold the factor and offset that map a fraction of the
+// interval to a fraction of its steep edge.
 float lookUp(sampler2D table, float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
@@ -126,27 +126,27 @@ vec3 lookUpColorBends(int first, float share)
 #endif
 
 #ifdef SUMS
-// Returns the extinction at a column, and the sum of extinctions up to it.
+// Returns the extinction at a column, and the sum of extinctions up to that column.
 vec2 lookUpSum(float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
   int first = int(place);
-  // Sums up to this column and the next one, and the extinctions there.
+  // Sums up to the first column and up to the next one, and the extinctions at both columns.
   vec4 sums = texelFetch(extinctionSums, ivec2(first, row), 0);
 #if defined(BENDS) || defined(EDGES)
   float extinction = lookUp(extinctions, column, row);
 #else
   float extinction = mix(sums.z, sums.w, place - float(first));
 #endif
-  // Values outside the columns have the extinction of the nearest end.
+  // Outside the table, the extinction is that of the nearest column.
   float sum = mix(sums.x, sums.y, place - float(first)) + extinction * (column - place);
   return vec2(extinction, sum);
 }
 #endif
 
 #if defined(TRANSMISSION) || defined(COLOR)
-// The fourth channel of a texel is the position of the list of breakpoints between its column and
-// the next one, the negated encoded ends of the edge there, or 0.
+// The fourth channel of a table texel describes the interval from its column to the next one: the
+// position of the list of breakpoints, the negated encoded ends of a steep edge, or 0.
 vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 {
   float column =
@@ -172,7 +172,7 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #endif
 
 // With a transmission color, light has three channels, otherwise one. PART is the fraction of the
-// extinction that affects each channel. It is 1 for a GRAY medium.
+// extinction that applies to each channel. It is 1 for a GRAY medium.
 #ifdef TRANSMISSION
 #define LIGHT vec3
 #define CHANNELS rgb
@@ -188,7 +188,8 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #endif
 
 #ifndef CUSTOM_MEDIUM
-// Returns the mean of the finite samples around a position, and their fraction.
+// Returns the interpolated value of the finite samples around a position. share is the interpolated
+// fraction of finite samples.
 vec4 texelAt(vec3 p, out float share)
 {
   vec4 texel = texture(volume, p);
@@ -201,7 +202,8 @@ vec4 texelAt(vec3 p, out float share)
 }
 
 #if defined(GRADIENT_OPACITY) || defined(SHADE)
-// Computes the differences of the texel over two voxels along each texture axis.
+// Computes the difference of the values one voxel after and one voxel before p, along each texture
+// axis. here is the value at p.
 void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -224,7 +226,8 @@ float lengthOf(vec3 v)
   return size > 0.0 ? size * length(v / size) : 0.0;
 }
 
-// Returns the gradient direction of one component in unit space from its differences.
+// Returns the direction of the gradient of one component, in unit space. difference is the result
+// of differencesAt for that component.
 vec3 gradientOf(vec3 difference)
 {
   float size = max(max(abs(difference.x), abs(difference.y)), abs(difference.z));
@@ -234,17 +237,19 @@ vec3 gradientOf(vec3 difference)
 #endif
 
 #ifdef CUSTOM_MEDIUM
-// Extent of a fragment's sample in the texture: a segment of the ray and the edges of a pixel.
+// Extent of a fragment's sample in texture coordinates: a vector along the ray and the vectors
+// along the edges of a pixel.
 mat3 sampleSize = mat3(0.0);
 
-// Sets the extent from a ray segment along d and the edges of a pixel, in unit space.
+// Sets sampleSize from the direction d and length piece of a ray segment and from the pixel edges x
+// and y, all in unit space.
 void setSampleSize(vec3 d, float piece, vec3 x, vec3 y)
 {
   sampleSize =
     mat3(textureFromUnit) * mat3(piece * d, x - dot(x, d) * d, y - dot(y, d) * d);
 }
 
-// Computes the extinction at x, which is p in texture coordinates. The texel is the color.
+// Computes the extinction at x, which is p in texture coordinates. texel returns the color.
 float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
   texel = vec4(0.0);
@@ -301,8 +306,8 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 #define VALUES vec4
 #endif
 
-// A sample of the medium. It contains, per row, the opacity column, the extinction and the sum of
-// extinctions up to that column. Extinctions are multiplied by Fraction.
+// A sample of the medium. For each row, it contains the opacity column, the extinction and the sum
+// of extinctions up to that column. The effective extinction is Extinctions * Fraction.
 struct MediumSample
 {
   VALUES Columns;
@@ -355,7 +360,7 @@ MediumSample mediumSampleOfTexel(vec4 texel, float share)
 }
 
 // Samples the medium at x, which is p in texture coordinates. Fraction includes gradient opacity
-// and cropping. With SPANS, the spans are cropped in advance instead.
+// and cropping. With SPANS, it does not include cropping, since the spans are already cropped.
 MediumSample mediumSampleAt(vec3 x, vec3 p)
 {
   float share;
@@ -379,8 +384,8 @@ MediumSample mediumSampleBetween(MediumSample a, MediumSample b, float part)
 }
 
 #ifdef SPANS
-// Computes samples at both ends of a segment p + q t by extrapolating the values at its two Gauss
-// points linearly. This line fits the values along the segment best.
+// Computes samples at both ends of the segment p + q t by linear extrapolation from the segment's
+// two Gauss points. The resulting line is the best fit to the values along the segment.
 void spanOf(vec3 p, vec3 q, float lower, float upper, out MediumSample start, out MediumSample end)
 {
   const float inset = 0.21132487;
@@ -450,7 +455,8 @@ float largestOf(float light)
 #endif
 
 #ifdef THICK
-// Returns true if extinction jumps between two samples: if its value midway is far from their mean.
+// Returns true if extinction jumps between two samples, that is, if the extinction midway is far
+// from the mean of both samples.
 bool jumps(MediumSample a, MediumSample b)
 {
   float first = extinctionOf(a);
@@ -459,12 +465,12 @@ bool jumps(MediumSample a, MediumSample b)
   return abs(middle - 0.5 * (first + last)) > 0.45 * max(first, last);
 }
 
-// Returns the optical depth of a slab between lower and upper on x + s d, which is p + s q in
-// texture coordinates. extinction is the extinction of the sample in the middle, and across is the
-// length of a slab along d. The medium extends from start to end. If extinction jumps to 0 before
-// the next slab's sample, that slab shows nothing of the medium there. Then lower or upper is moved
-// to the position where the medium begins or ends. isFront is set if extinction jumps in front of
-// the sample.
+// Returns the optical depth of a slab on the ray x + s d, which is p + s q in texture coordinates.
+// The slab extends from s = lower to s = upper, and the volume's box from start to end. extinction
+// is the extinction at the middle of the slab, and across is the length of a full slab along d. If
+// extinction jumps to about 0 before the middle of an adjacent slab, that slab does not draw the
+// medium on this side of the jump. The optical depth then includes it, and lower or upper is moved
+// to the jump. isFront is set if extinction jumps in front of the middle.
 float depthOfSlab(vec3 x, vec3 d, vec3 p, vec3 q, float across, float start, float end,
   float extinction, inout float lower, inout float upper, inout bool isFront)
 {

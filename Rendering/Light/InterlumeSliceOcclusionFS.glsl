@@ -3,8 +3,8 @@
 //INTERLUME::FEATURES
 
 // Writes the nearest depth to pixels that are already opaque, so that the depth test culls further
-// fragments. The macro OPACITY, TRANSMITTANCE or DEPTH is the meaning of the buffer's texels: see
-// SliceOcclusion.
+// fragments. The macro OPACITY, TRANSMITTANCE or DEPTH specifies what the buffer's texels contain:
+// see SliceOcclusion.
 in vec2 texCoord;
 uniform sampler2D slices;
 
@@ -18,9 +18,9 @@ void main()
 #else
   vec3 light = texel.CHANNELS;
 #ifdef DEPTH
-  // Optical depth along a direction of the octahedral map, times the cosine between that direction
-  // and the normal. The threshold is far above visible depths, so that interpolation keeps shadow
-  // edges in place.
+  // The buffer contains the optical depth along a direction of the octahedral map, times the cosine
+  // between that direction and the normal. The threshold is far above visible optical depths, so
+  // that interpolation does not shift shadow edges.
   const float enough = 30.0;
   vec2 corner = texCoord * 2.0 - 1.0;
   vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;

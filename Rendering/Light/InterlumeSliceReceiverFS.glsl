@@ -2,10 +2,10 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Computes the transmittance from a light to a surface of the scene, for the pixel that shows it:
-// the light buffer's transmittance up to the surface's slab, times that of the medium inside the
-// slab. With WITHIN, which is for all volumes but the first, only the medium inside the slab
-// counts.
+// Computes the transmittance from a light to the surface of the scene that a pixel shows. It is the
+// light buffer's transmittance up to the surface's slab, times the transmittance of the medium
+// inside the slab. WITHIN is set for all volumes except the first; the result is then only the
+// transmittance inside the slab.
 in vec3 place;
 
 //VTK::Output::Dec
@@ -54,7 +54,7 @@ void main()
     discard;
   }
 #endif
-  // Behind the medium, use the position where light exits the medium.
+  // If the surface is behind the medium, use the position where light exits the medium.
   float lower = -path;
   float upper = 0.0;
   vec3 p = positionInTexture(place);

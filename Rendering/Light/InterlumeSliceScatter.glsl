@@ -7,7 +7,7 @@ vec3 sampleAlbedo = vec3(0.0);
 uniform float brightness;
 #endif
 #ifdef PHASE_ANISOTROPY
-// 1 - g^2, (1 - g)^2 and g.
+// Terms of the Henyey-Greenstein phase function: 1 - g^2, (1 - g)^2 and g.
 uniform vec3 phase;
 #endif
 #ifdef PHASE_TABLE
@@ -17,7 +17,7 @@ uniform sampler2D phases;
 // Returns 4 pi times the phase function for light in direction l.
 float phaseOf(vec3 l)
 {
-  // 1 minus the cosine, accurate for small angles.
+  // turn is 1 minus the cosine of the scattering angle, computed accurately for small angles.
   vec3 change = l + viewRay;
   float turn = min(0.5 * dot(change, change), 2.0);
 #ifdef PHASE_ANISOTROPY
@@ -33,14 +33,14 @@ float phaseOf(vec3 l)
 #endif
 }
 #ifdef FIELD_MAPS
-// Multiple scattering at the nodes of FIELD_MAPS maps, stacked along z: fluence, normalized net
-// flux, and forward-scattered light of each light.
+// Multiply scattered light at the nodes of FIELD_MAPS maps, stacked along z: fluence, normalized
+// net flux, and the forward-scattered light of each light.
 uniform sampler3D scattered;
 uniform mat4 nodeFromUnit;
 uniform vec3 fieldNodes;
 uniform float meanCosine;
 
-// Mean visible position in the segment, in node coordinates.
+// Visibility-weighted mean position in the segment, in node coordinates.
 vec3 seenNode = vec3(0.0);
 
 void findSeenNode()

@@ -2,10 +2,11 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Composites an image coarser than the viewport over the scene, as color times opacity. Each image
-// pixel contains the volume up to the surface visible at its center. Of the four pixels around a
-// fragment, only those whose surface is near the fragment's own surface count. Otherwise, the
-// volume behind a surface would blend with the volume in front of it along the surface's edges.
+// Interpolates an image coarser than the viewport, which is composited over the scene. Pixels
+// contain color times opacity. Each image pixel contains the volume up to the surface visible at
+// its center. Of the four pixels around a fragment, those whose surface is far from the fragment's
+// own surface get small weights. Otherwise, at the edges of a surface, the volume behind it would
+// blend with the volume in front of it.
 in vec2 texCoord;
 uniform sampler2D image;
 uniform vec2 imageSize;

@@ -2,8 +2,8 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// A point of a slice in unit space, as seen from the camera or a light, or a position in the buffer
-// of a light inside or near the volume.
+// Point of a slice in unit space, drawn as seen from the camera or a light, or position in the
+// buffer of a light inside or near the volume.
 in vec3 positionIn;
 uniform mat4 clipFromUnit;
 out vec3 place;

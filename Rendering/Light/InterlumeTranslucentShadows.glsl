@@ -10,14 +10,15 @@ uniform mat4 translucentFromPosition[TRANSLUCENT_VIEWS];
 #ifdef TRANSLUCENT_PLANES
 uniform mat4 positionFromTranslucent[TRANSLUCENT_VIEWS];
 #endif
-// Per view: first column and row of the tile, its size, and the bias in texels.
+// For each view, first column and row of its tile, size of the tile, and depth bias in texels.
 uniform vec4 translucentTiles[TRANSLUCENT_VIEWS];
-// Depth difference equal to a texel's width: the first component plus the second over w.
+// For each view, coefficients a and b of the depth difference a + b / w that corresponds to the
+// width of a texel.
 uniform vec2 translucentTexels[TRANSLUCENT_VIEWS];
 
-// Returns the fraction of a light transmitted to a position on a plane, bilinearly interpolated
-// between four texels. The light has the given number of views, starting at the first. The plane is
-// used only with TRANSLUCENT_PLANES.
+// Returns the fraction of a light transmitted to a position, bilinearly interpolated between four
+// texels. first is the index of the light's first view, and views is the number of its views. plane
+// is the plane of the surface at the position; it is used only with TRANSLUCENT_PLANES.
 float lightOfTranslucentLayers(int first, int views, vec3 place, vec4 plane)
 {
   for (int view = first; view < first + views; ++view)
@@ -34,7 +35,7 @@ float lightOfTranslucentLayers(int first, int views, vec3 place, vec4 plane)
     vec2 part = clamp(inTile - corner, 0.0, 1.0);
     vec4 depths = vec4(at.z);
 #ifdef TRANSLUCENT_PLANES
-    // Depth of the lit surface's plane at each texel center, biased toward the light.
+    // Depth of the plane at each texel center, biased toward the light.
     vec4 seen = plane * positionFromTranslucent[view];
     vec2 slope = (abs(seen.z) > 0.0 ? -seen.xy / seen.z : vec2(0.0)) * (2.0 / tile.z);
     float texel = translucentTexels[view].x + translucentTexels[view].y / clip.w;

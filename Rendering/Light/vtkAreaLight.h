@@ -132,8 +132,8 @@ public:
 
   struct Sample
   {
-    /// Position in world coordinates. For a light that is not positional, light travels from here
-    /// to the transformed focal point.
+    /// Position in world coordinates. If the light is not positional, its direction is from here to
+    /// the transformed focal point.
     double Position[3];
     /// Fraction of the light's red, green and blue that the sample emits. In each channel, the
     /// weights of all samples add up to exactly 1.
@@ -167,7 +167,7 @@ public:
   void DeepCopy(vtkLight* light);
 
   /**
-   * Returns a new area light with the same values. It shares the image.
+   * Returns a new area light with the same values. The image is shared.
    */
   vtkLight* ShallowClone() override;
 
@@ -179,8 +179,8 @@ private:
   friend class interlume::EmitterSamples;
 
   bool GetFrame(interlume::LightFrame& frame);
-  /// Returns the colors of the emitter's image, recomputed if the image has changed, or null if
-  /// there is no image. The image must be valid.
+  /// Returns the colors of the emitter's image, or null if there is no image. Recomputes them if
+  /// the image has changed. The image must be valid.
   const interlume::EmitterGrid* GetGrid() const;
 
   int Shape = ROUND;

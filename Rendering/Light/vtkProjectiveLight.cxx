@@ -114,8 +114,8 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
     return false;
   }
 
-  // The depth row is 1 on the screen. The other two rows increase by 1 across the screen's width
-  // and height.
+  // The depth row yields 1 on the screen. The two other rows increase by 1 across the screen's
+  // width and height, respectively.
   const glm::dvec3 depth = (1.0 / frame.Distance) * frame.Forward;
   const glm::dvec3 across[2] = { (1.0 / (scale * this->ScreenSize[0])) * frame.Right,
     (1.0 / (scale * this->ScreenSize[1])) * frame.Up };
@@ -139,7 +139,7 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
       setRow(i, across[i], 0.5);
     }
   }
-  // The remaining row is arbitrary. This choice keeps the matrix invertible.
+  // Row 2 is unused. It only keeps the matrix invertible.
   const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   setRow(this->Positional ? 3 : 2, depth, 0.0);
   setRow(this->Positional ? 2 : 3, none, 1.0);

@@ -18,9 +18,9 @@ class vtkMatrix4x4;
  *
  * The light screen (C. Zhang, dissertation, Ohio State 2006, 2.3.3) is a rectangle of the given
  * ScreenSize. Its center is the light's focal point, and it is perpendicular to the line from the
- * position to the focal point. ViewUp sets its rotation about that line. A positional light shines
- * through the screen in a pyramid, like a slide projector. A directional light shines in a beam
- * with the screen's cross-section.
+ * light's position to the focal point. ViewUp sets its rotation about that line. A positional light
+ * shines through the screen in a pyramid, like a slide projector. A directional light shines in a
+ * beam with the screen's cross-section.
  *
  * The light at a point is multiplied by the image's color and opacity where the ray to the point
  * passes through the screen. Rays that miss the screen carry no light. Without an image, the screen
@@ -82,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Set the width of the smooth edge in which the light rises from 0 at the screen's border to its
-   * full value. It is a fraction of half the screen's width and height. The profile is cubic; 0
+   * Set the width of the smooth edge over which the light increases from 0 at the screen's border
+   * to its full value, as a fraction of half the screen's width and height. The profile is cubic; 0
    * gives a sharp edge. Default 0. Valid: 0 to 1.
    */
   void SetEdgeWidth(double width);
@@ -121,17 +121,16 @@ public:
   std::string GetImageError() const;
 
   /**
-   * Returns the image as texels of red, green and blue, each multiplied by the opacity, x fastest.
-   * Values outside 0 to 1 are clamped; NaN becomes 0. The result is empty if there is no valid
-   * image.
+   * Returns the image as RGB texels multiplied by their opacity, with x varying fastest. Values
+   * outside 0 to 1 are clamped; NaN becomes 0. The result is empty if there is no valid image.
    */
   std::vector<float> GetTexels() const;
 
   /**
-   * Get the screen's color, multiplied by its opacity and the smooth edge, at screen coordinates
-   * (u, v). It is black outside the screen. The edge factor is s(u) s(v) with s(x) = 3 t^2 - 2 t^3,
-   * where t is the distance from x to the nearer of 0 and 1, divided by EdgeWidth / 2 and limited
-   * to 1. The shader computes the same function.
+   * Get the screen's color, multiplied by its opacity and the smooth edge's factor, at screen
+   * coordinates (u, v). It is black outside the screen. The factor is s(u) s(v), where s(x) =
+   * t^2 (3 - 2 t), and t is the distance from x to the nearer of 0 and 1, divided by EdgeWidth / 2
+   * and clamped to 1. The shader computes the same function.
    */
   void GetScreenColor(double u, double v, double color[3]) const;
 
@@ -141,8 +140,8 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Returns a new projective light with the same values. It shares the image. vtkLight::DeepCopy,
-   * which is not virtual, copies only the values of vtkLight.
+   * Returns a new projective light with the same values and the same image object.
+   * vtkLight::DeepCopy, which is not virtual, copies only the values of vtkLight.
    */
   vtkLight* ShallowClone() override;
 

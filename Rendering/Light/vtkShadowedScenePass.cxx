@@ -129,7 +129,7 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
     return;
   }
   window->MakeCurrent();
-  // The pass needs the headlights and the default light before it draws anything.
+  // Update the headlights and the default light before the pass uses them.
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
   interlume::SceneRenderer& scene = *this->Renderer;
@@ -242,7 +242,7 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
   {
     if (!this->Images[i]->IsTogether())
     {
-      // A mapper that draws several volumes holds only one request, so set it again.
+      // A mapper shared by several volumes holds only the last volume's request, so set it again.
       UpdateImage(renderer, this->Volumes[i]).Draw(renderer, &scene);
     }
   }

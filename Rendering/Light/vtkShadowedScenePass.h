@@ -25,7 +25,7 @@ class VolumeImage;
 
 /**
  * @class   vtkShadowedScenePass
- * @brief   render actors and sliced volumes with common lights and shadows
+ * @brief   render actors and sliced volumes with shared lights and shadows
  *
  * Surfaces cast shadows on surfaces and in volumes; volumes cast shadows on surfaces and on each
  * other (C. Zhang, dissertation, Ohio State 2006, 2.5). Volumes take part if their mapper is a
@@ -38,15 +38,16 @@ class VolumeImage;
  * **Actors** are drawn by VTK's shaders, where each light's color is multiplied by 1 -
  * ShadowAttenuation (1 - V T). V is the fraction of the light that other surfaces transmit,
  * computed from shadow maps. T is the transmittance of the volumes. All visible opaque actors cast
- * shadows, whether they are in view or not. Meshes may be open, inverted or without thickness.
+ * shadows, whether they are in view or not. Meshes may be open, inside out or infinitely thin.
  * Properties, textures, normals, vertex colors, clipping planes, PBR and flat shading, and glyphs
  * of vtkOpenGLGlyph3DMapper work as usual. SetCastsShadows and SetReceivesShadows exclude actors;
  * SetCastsShadowsWhenInvisible includes invisible ones.
  *
  * **Lights** are all lights that are switched on, as in vtkShadowedSliceMapper. Lights with a
- * ShadowAttenuation above 0 cast shadows, except headlights on actors. Images of vtkProjectiveLight
- * and colors of vtkAreaLight also apply to actors, with or without shadows. A vtkAreaLight casts
- * soft shadows by NumberOfLightSamples shadow maps; see Documentation/methods/soft-shadows.md.
+ * ShadowAttenuation above 0 cast shadows, but headlights cast none on actors. Images of
+ * vtkProjectiveLight and colors of vtkAreaLight also apply to actors, with or without shadows. A
+ * vtkAreaLight casts soft shadows, computed from NumberOfLightSamples shadow maps; see
+ * Documentation/methods/soft-shadows.md.
  *
  * **Volumes** share one set of slices, whether they overlap or not. The settings of their mappers
  * are combined as follows:
@@ -59,11 +60,11 @@ class VolumeImage;
  *   volume uses it;
  * - light buffers have three channels if one volume has a TransmissionColor.
  *
- * The report's SeparateVolumesReason is set if volumes are rendered one by one instead: if
- * rendering them together would need more than eight times the slices of separate rendering or
- * exceed MaximumTextureMemory, or if a mapper draws several volumes. Such volumes cast shadows on
- * surfaces, but not on each other. A volume with an error is skipped. Volumes in shared slices also
- * share multiple scattering; see Documentation/methods/scattering.md.
+ * Volumes are rendered one by one instead if rendering them together would need more than eight
+ * times as many slices or exceed MaximumTextureMemory, or if a mapper draws several volumes. The
+ * report then contains the SeparateVolumesReason. Such volumes cast shadows on surfaces, but not on
+ * each other. A volume with an error is skipped. Multiple scattering is computed jointly for
+ * volumes in shared slices; see Documentation/methods/scattering.md.
  *
  * **Translucent actors** transmit the fraction 1 - opacity of each light in all color channels,
  * regardless of their color. With volumes in the scene, they are drawn in depth order between
@@ -79,8 +80,8 @@ class VolumeImage;
  * cast no shadows. If there are no shadows or light images to compute, or during hardware
  * selection, the scene is drawn as if the pass did not exist.
  *
- * **Errors** are reported by vtkErrorMacro, and the scene is then drawn without shadows: if OpenGL
- * is older than 3.2, or if shadow maps exceed the graphics card's memory.
+ * **Errors** are reported by vtkErrorMacro, and the scene is then drawn without shadows. They occur
+ * if OpenGL is older than 3.2 or if shadow maps exceed the graphics card's memory.
  *
  * @sa vtkShadowedSliceMapper vtkAreaLight vtkShadowMapPass
  */
@@ -205,9 +206,9 @@ public:
    * - Volumes: number of volumes in the scene
    * - VolumesInSharedSlices: number of volumes that cast shadows on each other
    * - SeparateVolumesReason: the reason if volumes are rendered one by one, otherwise empty
-   * - DepthMapResolution, SampleMapResolution: columns and rows of the shadow map of each light
-   *   without extent, and of each sample of an area light
-   * - DepthMapBytes, SampleMapBytes: bytes of all these maps
+   * - DepthMapResolution, SampleMapResolution: number of columns and rows of the shadow map of each
+   *   point or directional light, and of each sample of an area light
+   * - DepthMapBytes, SampleMapBytes: total bytes of these maps
    * - CameraLayers: number of layers of translucent actors between which volumes are rendered
    */
   vtkInterlumeReport* GetReport() { return this->Report; }

@@ -46,13 +46,13 @@ class VolumeImage;
  * - four dependent components: RGB (unsigned char 0 to 255, other types 0 to 1), and the opacity
  *   function of the fourth component.
  *
- * Three dependent components are an error. Voxels with NaN or infinity are transparent and reported
- * once by a warning. Transfer functions are applied after interpolation. The gradient opacity
- * function works as in vtkGPUVolumeRayCastMapper.
+ * Three dependent components are an error. Voxels with NaN or infinite values are transparent and
+ * reported once by a warning. Transfer functions are applied after interpolation. The gradient
+ * opacity function works as in vtkGPUVolumeRayCastMapper.
  *
  * **Lights**: all lights of the renderer, including vtkProjectiveLight and vtkAreaLight. A light
  * casts shadows if Shadows is on and its ShadowAttenuation is above 0. Its color is then multiplied
- * by 1 - ShadowAttenuation (1 - transmittance). A vtkAreaLight casts soft shadows by
+ * by 1 - ShadowAttenuation (1 - transmittance). A vtkAreaLight casts soft shadows, computed by the
  * SoftShadowMethod; see Documentation/methods/soft-shadows.md. A positional light inside or very
  * close to the volume needs two sweeps through the slices.
  *
@@ -61,7 +61,7 @@ class VolumeImage;
  * medium scatters light isotropically. Solids look darker with shadows, because the surface itself
  * attenuates the light; use brighter lights. With ScatteringMode on, the albedo and the phase
  * function replace the material coefficients and Shade; see Documentation/methods/scattering.md.
- * The light of sources without shadows is then scattered only once.
+ * Light that casts no shadows is then scattered only once.
  *
  * **Other props**: opaque props hide the volume behind them. In a vtkShadowedScenePass, opaque
  * actors cast shadows in the volume and receive its shadows, volumes of several mappers shadow each
@@ -76,7 +76,7 @@ class VolumeImage;
  * **Errors** are reported by vtkErrorMacro. They are: no scalars, an unsupported blend mode or
  * number of components, a volume larger than the graphics card's 3D textures, or textures that
  * exceed its memory or MaximumTextureMemory. The image rendered for the previous frame remains
- * visible. An invalid image of a light is an error that only skips this light.
+ * visible. If a light has an invalid image, an error is reported and only this light is skipped.
  *
  * @sa vtkAreaLight vtkProjectiveLight vtkShadowedScenePass vtkShadowedSliceSettings
  */
@@ -136,10 +136,10 @@ public:
 
   ///@{
   /**
-   * Set the slice spacing in world units. With 0, the default, it is half the length of a voxel
-   * along the slice normal, or half the length of a voxel along the view direction, projected onto
-   * the normal, if that is larger. Valid: 0 and above. At most 65,536 slices are drawn; a smaller
-   * spacing is increased to that limit. The report contains the spacing in use.
+   * Set the slice spacing in world units. With 0, the default, it is the larger of two lengths:
+   * half the length of a voxel along the slice normal, and half its length along the view
+   * direction, projected onto the normal. At most 65,536 slices are drawn; the spacing is increased
+   * if necessary. The report contains the spacing in use. Valid: 0 and above.
    */
   vtkSetClampMacro(SliceSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SliceSpacing, double);
@@ -148,9 +148,9 @@ public:
   ///@{
   /**
    * Set the number of columns and rows of each light's buffer. With 0, the default, it is the
-   * number of voxels across the volume as seen from the light, limited to 64 to 2048. An axis is
-   * ignored if the entire volume is thinner along it than 1/2048 of the buffer. For hard shadows in
-   * a dense medium, the buffer is up to 1.5 times as large if the frame has enough pixels. Steep
+   * number of voxels across the volume as seen from the light, clamped to [64, 2048]. An axis along
+   * which the volume is thinner than 1/2048 of the buffer is not counted. For hard shadows in a
+   * dense medium, the buffer is up to 1.5 times as large if the frame has enough pixels. Steep
    * opacity ramps under oblique light need two to three times the number of voxels. Valid: 0, and
    * 16 to 8192, limited by the graphics card.
    */
@@ -171,9 +171,9 @@ public:
 
   ///@{
   /**
-   * Set the number of viewport pixels per pixel of the volume's rendered image, along an edge. The
-   * rendered image is interpolated to the viewport, but not across the edges of opaque surfaces.
-   * Surfaces narrower than one of its pixels may be missed. Default 1. Valid: 0.25 to 100.
+   * Set the size of a pixel of the volume's rendered image, in viewport pixels. The image is
+   * interpolated to the viewport, but not across the edges of opaque surfaces. Surfaces narrower
+   * than a pixel of the image may be missed. Default 1. Valid: 0.25 to 100.
    */
   vtkSetClampMacro(ImageSampleDistance, double, 0.25, 100.0);
   vtkGetMacro(ImageSampleDistance, double);
@@ -217,11 +217,11 @@ public:
   /**
    * Set the method for the soft shadows of vtkAreaLight:
    * - ACCUMULATED_CONVOLUTION blurs one buffer from slice to slice. It ignores the emitter's shape
-   *   and image, and penumbras shrink as slices and buffers get finer.
+   *   and image, and penumbras shrink as slices and buffers are refined.
    * - SAMPLE_LAYERS stores one layer of transmittance for each light sample. It converges as
    *   samples, buffers and slices are refined.
-   * - SAMPLED_LIGHTS renders each sample as a separate light. It is the slow reference. In a
-   *   vtkShadowedScenePass, it acts as SAMPLE_LAYERS.
+   * - SAMPLED_LIGHTS renders each sample as a separate light. It is slow and serves as a reference.
+   *   In a vtkShadowedScenePass, it has the same effect as SAMPLE_LAYERS.
    *
    * A light inside the volume, or too close or too large for soft shadows, casts hard shadows from
    * its center, except with SAMPLED_LIGHTS. The report counts such lights. See
@@ -253,8 +253,8 @@ public:
   /**
    * Set the color of the light that the medium transmits, as a function of the scalar. Channel k of
    * a light is attenuated with the extinction tau (1 - color_k): white transmits all light, black
-   * none. Light buffers then have three channels instead of one. For volumes with one component or
-   * two dependent components. Default null: black.
+   * none. Light buffers then have three channels instead of one. Used only for volumes with one
+   * component or two dependent components. Default null: black.
    */
   void SetTransmissionColor(vtkColorTransferFunction* function);
   vtkColorTransferFunction* GetTransmissionColor() const { return this->TransmissionColor; }
@@ -321,10 +321,10 @@ public:
 
   ///@{
   /**
-   * Set the phase function of TABLE_PHASE over the cosine of the scattering angle, from -1
-   * (backscattered light) to 1 (forward-scattered light). It is sampled at 4096 cosines and scaled
-   * so that its integral over the sphere is 1. Negative values, non-finite values and a function
-   * that is 0 everywhere are errors. Default null: isotropic.
+   * Set the phase function for TABLE_PHASE as a function of the cosine of the scattering angle,
+   * from -1 (backscattered light) to 1 (forward-scattered light). It is sampled at 4096 cosines and
+   * scaled so that its integral over the sphere is 1. Negative values, non-finite values and a
+   * function that is 0 everywhere are errors. Default null: isotropic.
    */
   void SetPhaseTable(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetPhaseTable() const { return this->PhaseTable; }
@@ -394,8 +394,8 @@ public:
    * - AreaLightsWithHardShadows: number of area lights too close or too large for soft shadows
    * - Slices: number of slices in all sweeps
    * - SliceSpacing: slice spacing in world units
-   * - LightBufferSize: columns and rows of the largest light buffer
-   * - ImageSampleDistance: viewport pixels per pixel of the volume's rendered image, along an edge
+   * - LightBufferSize: number of columns and rows of the largest light buffer
+   * - ImageSampleDistance: size of a pixel of the volume's rendered image, in viewport pixels
    * - NonFiniteVoxels: number of voxels with NaN or infinity, which are transparent
    * - TextureBytes: bytes of the textures of the volume and its functions
    * - ScatteringSeconds: duration of the last computation of multiply scattered light

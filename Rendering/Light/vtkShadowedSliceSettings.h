@@ -20,7 +20,7 @@
 struct vtkShadowedSliceSettings
 {
   /**
-   * Lookup in a light's buffer.
+   * Modes of lookup in light buffers.
    */
   enum LightLookups
   {

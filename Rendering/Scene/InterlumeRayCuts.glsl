@@ -60,7 +60,7 @@ bool isCropped(vec3 x)
   return (croppingFlags & (1 << (region.x + 3 * region.y + 9 * region.z))) == 0;
 }
 
-// Replaces the interval [lower, upper] of s on the ray x + s d by one interval. It has the total
+// Replaces the interval [lower, upper] of s on the ray x + s d with one interval that has the total
 // length and the center of mass of the parts that cropping retains.
 void cutToRegions(vec3 x, vec3 d, inout float lower, inout float upper)
 {

@@ -9,7 +9,8 @@ uniform samplerBuffer volumes;
 uniform vec4 eyeRows[3];
 uniform vec2 pixelOffset;
 uniform vec2 viewport;
-// Factor that converts six times the volume from mesh coordinates to pixels and depth.
+// Factor that converts the values of `volumes`, six times the volume of each tetrahedron in mesh
+// coordinates, to pixels and depth.
 uniform float volumeScale;
 #ifdef TETRAHEDRON_STRIDE
 uniform int tetrahedronStride;
@@ -25,8 +26,8 @@ uniform samplerBuffer colors;
 #endif
 
 #ifdef SURFACE
-// Faces of each tetrahedron that are boundary triangles: bit k for the face opposite corner k. For
-// each point, its normal and its texture coordinates.
+// `faces` tells which faces of each tetrahedron are boundary triangles: bit k stands for the face
+// opposite corner k. `surfacePoints` contains the normal and texture coordinates of each point.
 uniform isamplerBuffer faces;
 uniform samplerBuffer surfacePoints;
 #endif
@@ -43,7 +44,7 @@ flat out vec4 scalarPlane;
 #endif
 #ifdef DELTA_T
 flat out vec4 deltaTPlane;
-// Largest extent in time at the corners.
+// Largest deltaT of the corners.
 flat out float largestDeltaT;
 #endif
 #ifdef POINT_COLORS
@@ -53,8 +54,8 @@ flat out mat4 colorPlane;
 flat out vec4 cellColor;
 #endif
 #ifdef SURFACE
-// 1 if a face is a boundary triangle: the face on the base side, and the face next to each edge on
-// the other side.
+// 1 for boundary triangles, otherwise 0. baseFace is for the face on the base side, and otherFaces
+// for the face on the other side next to each edge.
 flat out float baseFace;
 flat out vec4 otherFaces;
 flat out mat3x4 normalPlane;
@@ -63,8 +64,8 @@ flat out mat2x4 texturePlane;
 
 struct Shape
 {
-  // Function for each edge of the silhouette: edgesOne + x * edgesX + y * edgesY, with x and y
-  // relative to the thick point. lambda is the smallest of the four values.
+  // Affine function for each edge of the silhouette: edgesOne + x * edgesX + y * edgesY, with x and
+  // y relative to the thick point. lambda is the smallest of the four values.
   vec4 edgesX;
   vec4 edgesY;
   vec4 edgesOne;
@@ -89,7 +90,7 @@ struct Corner
   // Position in pixels relative to the first corner, and depth.
   vec2 place;
   float depth;
-  // Signed area of the opposite face.
+  // Twice the signed area of the projected face opposite the corner.
   float area;
   float scalar;
   float deltaT;
@@ -125,18 +126,18 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
   return area == 0.0 ? vec2(0.0) : slope / area;
 }
 
-// Minimum number of pixels over which lambda decreases to 0, if a silhouette is widened. This limit
-// gives a slope to an edge that contains the thick point, as when two corners coincide. If such an
+// Minimum distance in pixels over which lambda decreases to 0 in a widened silhouette. It limits
+// the slope if an edge contains the thick point, for example if two corners coincide. If such an
 // edge were ignored, the other edges would extrapolate the tetrahedron across it.
 const float STEEPEST = 1.0 / 1024.0;
-// Smallest difference of pixel coordinates that single precision resolves. An edge that is closer
-// to the thick point is ignored unless the silhouette is widened, so only the GPU's rasterization
-// decides which tetrahedron covers a pixel. It assigns each pixel to one of two neighbors, whereas
-// lambda could be negative in both.
+// Smallest difference of pixel coordinates that single precision resolves. An edge closer than this
+// to the thick point is ignored unless the silhouette is widened, so that only the GPU's
+// rasterization decides which tetrahedron covers a pixel. Rasterization assigns the pixel to
+// exactly one of two neighbors, whereas lambda could be negative in both.
 const float DIGITS = 1.0 / 32768.0;
 
-// Sets the edge from a to b of a silhouette that is counterclockwise, or clockwise if turn < 0.
-// atThick is twice the signed area of the triangle of a, b and the thick point.
+// Sets the function of edge i, from a to b. The silhouette is counterclockwise, or clockwise if
+// turn < 0. atThick is twice the signed area of the triangle of a, b and the thick point.
 void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
 {
   vec2 edge = turn > 0.0 ? b - a : a - b;
@@ -210,7 +211,8 @@ vec2 project(inout Corner c[4], vec3 eye)
   return first + pixelOffset;
 }
 
-// Returns the plane of a value over the base triangle (a, b, c).
+// Returns the plane (see Shape) of a value that is v at the corners of the base triangle (a, b, c)
+// and atThick on the base side at the thick point.
 vec4 makePlane(float atThick, float difference, vec3 v, Corner a, Corner b, Corner c)
 {
   return vec4(atThick, slopes(v, a.place, b.place, c.place), difference);
@@ -219,8 +221,8 @@ vec4 makePlane(float atThick, float difference, vec3 v, Corner a, Corner b, Corn
 #define PLANE(value)                                                                               \
   makePlane(base.value, other.value - base.value, vec3(a.value, b.value, c.value), a, b, c)
 
-// Sets the planes of values over a base triangle (a, b, c). base and other are at the thick point,
-// on the base side and on the other side of the tetrahedron.
+// Sets the planes of all values over the base triangle (a, b, c). base and other are the values at
+// the thick point on the base side and on the other side of the tetrahedron.
 void setPlanes(Corner base, Corner other, float depthDifference, Corner a, Corner b, Corner c)
 {
   shape.depthPlane =
@@ -253,8 +255,8 @@ Corner mixCorners(Corner a, Corner b, float t)
 }
 
 // Width in pixels of the margin around thin silhouettes. GPUs round vertices to a fraction of a
-// pixel, so thin silhouettes would lose pixels. They are drawn wider, and lambda clamped to 0 makes
-// the margin transparent.
+// pixel, so thin silhouettes would lose pixels. They are drawn wider, and lambda, clamped to 0,
+// makes the margin transparent.
 const float MARGIN = 1.0 / 64.0;
 const float THIN = 0.5;
 const float THINNEST = 2e-3;
@@ -274,11 +276,11 @@ vec2 widen(vec2 before, vec2 corner, vec2 after, float margin)
   return corner + margin * (first + second) / max(1.0 + dot(first, second), 0.02);
 }
 
-// Three or four corners of the silhouette as a triangle strip, in pixels. The last three of four
-// corners are the second half of the silhouette, which has its own planes.
+// Three or four corners of the silhouette as a triangle strip, in pixels. If there are four, the
+// last three form the second half of the silhouette, which has its own planes.
 vec2 strip[4];
-// Corners in the order of the silhouette, values at the thick point on the base side and on the
-// other side, and the difference of their depths.
+// c: the corners in the order of the silhouette. base, other: the values at the thick point on the
+// base side and on the other side. difference: the difference of their depths.
 Corner c[4];
 Corner base;
 Corner other;
@@ -321,7 +323,8 @@ int makeSilhouette(int tetrahedron)
     return 0;
   }
   int positive = int(dot(vec4(greaterThan(areas, vec4(0.0))), vec4(1.0)));
-  // The volume remains accurate for thin tetrahedra, unlike a sum over depths.
+  // Compute the thickness from the volume, which remains accurate for thin tetrahedra, unlike a sum
+  // over depths.
   float thickness = texelFetch(volumes, tetrahedron).x * volumeScale / sum;
 #ifdef PERSPECTIVE
   thickness *= c[0].depth * c[1].depth * c[2].depth * c[3].depth;
@@ -379,7 +382,7 @@ int makeSilhouette(int tetrahedron)
     return 3;
   }
 
-  // Two edges cross. The corners with positive area become corners 0 and 2.
+  // Two projected edges cross. The corners with positive area become corners 0 and 2.
   swap(c[0].area <= 0.0 && c[1].area > 0.0, c[0], c[1]);
   swap(c[0].area <= 0.0, c[0], c[3]);
   swap(c[2].area <= 0.0 && c[1].area > 0.0, c[2], c[1]);
@@ -410,8 +413,8 @@ int makeSilhouette(int tetrahedron)
   return 4;
 }
 
-// Sets the planes of a silhouette with size corners, for its first or second half. Flat outputs of
-// a triangle are taken from its last vertex.
+// Sets the planes for the first or second half of a silhouette with `size` corners. A triangle
+// takes its flat outputs from its last vertex.
 void setHalf(int size, bool isSecond)
 {
   if (size == 3)

@@ -2,10 +2,11 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Draws the segment of a view ray in a tetrahedron. See FragmentIntegration for the terms.
+// Integrates along the segment of a view ray in a tetrahedron, like FragmentIntegration. See
+// TetrahedronSilhouette for the terms. The output is a sum, a maximum or a premultiplied color,
+// depending on the blend mode.
 //VTK::Output::Dec
 
-// Output: sums, or color times opacity, depending on the blend mode.
 flat in vec4 edgesX;
 flat in vec4 edgesY;
 flat in vec4 edgesOne;
@@ -29,7 +30,7 @@ flat in vec4 cellColor;
 #endif
 #ifdef OPAQUE
 uniform sampler2D opaqueDepth;
-// Coefficients of depth: the constant, and the factors of the depth buffer value, x and y.
+// Coefficients of depth: constant term, factor of the depth buffer value, factors of x and y.
 uniform vec4 depthOfBuffer;
 uniform int pixelStride;
 #endif
@@ -50,7 +51,7 @@ uniform float opacityOfExtinction;
 #endif
 
 #ifdef SURFACE
-// Boundary triangles; see BoundaryShading.
+// Inputs for the shading of boundary triangles; see BoundaryShading.
 flat in float baseFace;
 flat in vec4 otherFaces;
 flat in mat3x4 normalPlane;
@@ -65,7 +66,7 @@ uniform vec4 surfaceCoefficients;
 uniform vec3 specularColor;
 uniform vec3 normalRows[3];
 #ifndef PERSPECTIVE
-// Change of the eye coordinates along a view ray, per unit of depth.
+// Change of eye x and y along a view ray, per unit of depth.
 uniform vec2 tilt;
 #endif
 #ifdef SURFACE_TEXTURE
@@ -106,7 +107,7 @@ vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition)
 
 // Series expansions are used up to this optical depth. Thicker segments are split.
 const float LIMIT = 0.5;
-// Opacity at which everything behind is hidden.
+// Opacity at which everything behind is considered hidden.
 const float OPAQUE_ENOUGH = 0.999995;
 
 float thinOpacityOf(float x)
@@ -318,7 +319,8 @@ void main()
 #ifdef DELTA_T
       float share = LIMIT / depth;
 #else
-      // Fraction of the part at which the optical depth of linear extinction reaches LIMIT.
+      // Fraction of the part at which the optical depth reaches LIMIT if extinction varies
+      // linearly.
       float growth = (last.a - first.a) / part;
       float root = sqrt(max(first.a * first.a + 2.0 * growth * LIMIT, 0.0));
       float share = min(2.0 * LIMIT / (first.a + root) / part, 1.0);

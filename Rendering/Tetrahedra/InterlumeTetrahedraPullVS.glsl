@@ -2,8 +2,9 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Each group of four vertices represents a tetrahedron, in drawing order. Each vertex computes the
-// silhouette and outputs its corner of the strip, so no geometry shader is needed.
+// Each group of four vertices represents a tetrahedron. The groups are in drawing order. Each
+// vertex computes the whole silhouette but outputs only one corner of it, so no geometry shader is
+// needed.
 #ifdef ORDERED
 uniform usamplerBuffer order;
 #endif
@@ -23,7 +24,7 @@ void main()
     setOutputs(vec2(-viewport));
     return;
   }
-  // The fourth corner of a triangle repeats the third.
+  // If the silhouette is a triangle, its third corner is output twice.
   setHalf(size, corner == 3);
   setOutputs(strip[corner]);
 }

@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Each vertex represents a tetrahedron, in drawing order.
+// Each vertex represents a tetrahedron. The vertices are in drawing order.
 #ifdef ORDERED
 uniform usamplerBuffer order;
 #endif

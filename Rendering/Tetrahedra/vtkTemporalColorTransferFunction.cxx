@@ -16,10 +16,11 @@ vtkStandardNewMacro(vtkTemporalColorTransferFunction);
 
 namespace
 {
-/// Number of equal parts of u in [0,1]. The color is linear in u within each part.
+/// The range [0,1] of u, which the class comment defines, is divided into this many equal parts.
+/// The color is linear in u within each part.
 constexpr int PARTS = 4;
 
-/// A node, as in AddRGBPoint.
+/// A node, with the arguments of AddRGBPoint.
 struct Node
 {
   double Time;
@@ -37,13 +38,12 @@ Node GetNode(double time, double part)
 
 /// Returns the nodes. Nodes are at the time steps, where the slope of u over time changes, and at
 /// the ends of the parts of u, where the slope of the color over u changes. Node positions are
-/// integers, so equal positions compare equal. The unit is chosen so that both kinds of nodes are
-/// at integers: consecutive time steps are `parts` units apart, and the ends of parts are `slabs`
-/// units apart.
+/// integers, so equal positions compare equal: consecutive time steps are `parts` units apart, and
+/// the ends of parts are `slabs` units apart.
 std::vector<Node> GetNodes(const std::vector<double>& times)
 {
   const int slabs = static_cast<int>(times.size()) - 1;
-  // Two steps use the second half of the range of u.
+  // With two time steps, u is in the second half of its range.
   const int first = slabs == 1 ? 2 : 0;
   const int parts = PARTS - first;
   std::set<int> positions;

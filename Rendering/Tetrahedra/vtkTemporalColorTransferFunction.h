@@ -35,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Replace all nodes by the nodes for these time steps. Default: no nodes. Valid: at least two
+   * Replace all nodes with the nodes for these time steps. Default: no nodes. Valid: at least two
    * times, finite and increasing.
    */
   void SetTimes(int n, const double* times) VTK_SIZEHINT(times, n);

@@ -218,7 +218,7 @@ bool vtkTimeWeightedTetrahedraMapper::DrawsInSoftware(vtkRenderWindow* window) c
   {
     return this->RenderPath == SOFTWARE_PATH;
   }
-  // Before the first image, the window has no context to query.
+  // Before the first image is rendered, the window has no context to query.
   openGL->Initialize();
   return interlume::SoftwareOpenGL::IsUsed(openGL);
 }
@@ -231,8 +231,8 @@ bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
   {
     return false;
   }
-  // The six bounds of the partition; 1 if it has an extent in time, otherwise 0; 1 if it is drawn
-  // with OpenGL, otherwise 0.
+  // The elements are the six bounds of the partition, then 1 if it has an extent in time, otherwise
+  // 0, and then 1 if it is drawn with OpenGL, otherwise 0.
   constexpr double none = std::numeric_limits<double>::max();
   std::array<double, 8> own{ { none, -none, none, -none, none, -none,
     this->HasExtentInTime(this->GetDataSetInput()) ? 1.0 : 0.0,

@@ -37,11 +37,11 @@ struct TetrahedraArrays;
  * within each tetrahedron. The optical depth is the integral of extinction times Dt (C. Zhang,
  * dissertation, Ohio State 2006, 3.5.4), and color and opacity follow from it by exact integration.
  * See Documentation/methods/projected-tetrahedra.md for the method, sorting and accuracy, and
- * Documentation/measurements.md for times.
+ * Documentation/measurements.md for render times.
  *
  * **Input**: port 0 is a vtkUnstructuredGrid of VTK_TETRA cells. Port 1 is optional and takes
  * boundary triangles (see SetBoundaryConnection). ScalarMode, ArrayName and ArrayId select the
- * scalars, as in other volume mappers. The scalars have
+ * scalars, as in other volume mappers. The scalars have one of these forms:
  * - one component at points: color and opacity functions of the interpolated scalar;
  * - one component at cells, such as `IntervalId`: one color and opacity for each tetrahedron;
  * - several independent components: the component or magnitude that the vector mode of the color
@@ -53,9 +53,9 @@ struct TetrahedraArrays;
  * Extinction per unit length is the value of the scalar opacity function divided by
  * ScalarOpacityUnitDistance. It may exceed 1, as in VTK's mappers for unstructured grids.
  *
- * **Accuracy**: the software path computes every pixel in visibility order, including tetrahedra
- * seen edge-on and points that coincide on the screen. With OpenGL, the GPU rounds vertices to a
- * fraction of a pixel, so tetrahedra or whole meshes that are thinner than this on the screen may
+ * **Accuracy**: SOFTWARE_PATH computes every pixel in visibility order, even if tetrahedra are seen
+ * edge-on or points coincide on the screen. With OPENGL_PATH, the GPU rounds vertices to a fraction
+ * of a pixel, so tetrahedra or whole meshes that are thinner than this fraction on the screen may
  * be drawn too wide or missed.
  *
  * **Other props**: opaque props hide the parts of the volume behind them. Translucent polygons are
@@ -76,9 +76,9 @@ struct TetrahedraArrays;
  * only its partition, and a compositor must blend the 8-bit images in visibility order.
  *
  * **Errors** (vtkErrorMacro, nothing is drawn): cells other than tetrahedra, missing scalars, a
- * missing array for Dt or layers that was set by name, a wrong number of components or tuples, an
- * invalid clipping plane, a singular camera or volume matrix. Tetrahedra with NaN or infinity are
- * skipped and counted in GetReport().
+ * missing array for Dt that was set by name, a missing array of layers in PRIORITY_BLEND, a wrong
+ * number of components or tuples, an invalid clipping plane, a singular camera or volume matrix.
+ * Tetrahedra with NaN or infinity are skipped and counted in GetReport().
  *
  * @sa vtkIntervalVolume vtkTimeVaryingIntervalVolume vtkTemporalColorTransferFunction
  */
@@ -98,16 +98,16 @@ public:
     // COMPOSITE_BLEND = 0 of the superclass: front to back in visibility order.
     // MAXIMUM_INTENSITY_BLEND = 1 of the superclass: color and opacity of the largest scalar.
 
-    /// Sum of color times opacity, clamped to 1. Needs no order.
+    /// Sum of color times opacity, clamped to 1. Does not depend on the order of tetrahedra.
     ADDITIVE_BLEND = 2,
     /// OPTICAL_DEPTH_BLEND within each layer. Layers are composited by priority, independent of
     /// depth.
     PRIORITY_BLEND = 3,
-    /// Opacity 1 - exp(-sum of optical depths), and the mean color weighted by optical depth. Needs
-    /// no order. Exact if there is a single color.
+    /// Opacity 1 - exp(-sum of optical depths), and the mean color weighted by optical depth. Does
+    /// not depend on the order of tetrahedra. Exact if there is a single color.
     OPTICAL_DEPTH_BLEND = 4,
-    /// OPTICAL_DEPTH_BLEND if the input has Dt, because such tetrahedra overlap and have no
-    /// visibility order. Otherwise COMPOSITE_BLEND.
+    /// OPTICAL_DEPTH_BLEND if the input has Dt, because tetrahedra with an extent in time overlap
+    /// and have no visibility order. Otherwise COMPOSITE_BLEND.
     AUTOMATIC_BLEND = 5
   };
 
@@ -116,11 +116,12 @@ public:
    */
   enum IntegrationModes
   {
-    /// Mean of the colors and extinctions at both ends, as in the original projected tetrahedra.
+    /// Mean of the colors and extinctions at both ends of the segment, as in the original algorithm
+    /// of P. Shirley and A. Tuchman.
     AVERAGE_COLOR = 0,
-    /// Exact integral with linear color and extinction (K. Moreland, E. Angel, "A fast high
-    /// accuracy volume renderer for unstructured data", 2004), between the control points of the
-    /// transfer functions.
+    /// Exact integral, with color and extinction that are linear between the control points of the
+    /// transfer functions (K. Moreland, E. Angel, "A fast high accuracy volume renderer for
+    /// unstructured data", 2004).
     LINEAR_SEGMENT = 1
   };
 
@@ -130,18 +131,20 @@ public:
   enum SortModes
   {
     NO_SORT = 0,
-    /// Distance of the centroid to the camera, or depth in parallel projection. Approximate.
+    /// By distance from the centroid to the camera, or by depth in parallel projection.
+    /// Approximate.
     CENTROID_SORT = 1,
     /// Visibility order across shared faces (P. Williams, "Visibility-ordering meshed polyhedra",
     /// 1992) and across the gaps of nonconvex meshes.
     MPVONC_SORT = 2,
-    /// NO_SORT if the blend mode needs no order or there is a single color. MPVONC_SORT up to
-    /// 1,000,000 tetrahedra without Dt. Otherwise CENTROID_SORT.
+    /// NO_SORT if the image does not depend on the order, because of the blend mode or because
+    /// there is a single color. Otherwise MPVONC_SORT for up to 1,000,000 tetrahedra without Dt,
+    /// and CENTROID_SORT for all other inputs.
     AUTOMATIC_SORT = 3
   };
 
   /**
-   * Render paths.
+   * Render paths, which draw images on the GPU or on the CPU.
    */
   enum RenderPaths
   {
@@ -247,7 +250,7 @@ public:
    * input is a vtkPolyData or vtkUnstructuredGrid, such as port 1 of vtkIntervalVolume. Its
    * triangles must be faces of tetrahedra, and its points must have the ids or exact coordinates of
    * points of port 0. Point normals and texture coordinates are used if present. Triangles are
-   * drawn in COMPOSITE_BLEND only; other modes report 0 triangles. Default none.
+   * drawn in COMPOSITE_BLEND only. Default none.
    */
   void SetBoundaryConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetBoundaryData(vtkDataSet* triangles);
@@ -300,19 +303,22 @@ public:
   bool HasExtentInTime(vtkDataSet* data) const;
 
   using Superclass::GetBounds;
-  /// Get the bounds of the points that have finite coordinates.
+  /// Get the bounds of all points with finite coordinates. If GatherPieces returned true, these are
+  /// points of all partitions.
   double* GetBounds() VTK_SIZEHINT(6) override;
 
   /**
    * Get the report of the last image:
-   * - `Tetrahedra`, `TetrahedraDrawn`: number of tetrahedra of the input and of tetrahedra drawn;
-   * - `NonFiniteTetrahedra`: tetrahedra skipped because of NaN or infinity at a point;
-   * - `FlatTetrahedra`: tetrahedra skipped because they have no volume;
-   * - `UnmatchedTriangles`: boundary triangles skipped because they are not faces of tetrahedra;
+   * - `Tetrahedra`, `TetrahedraDrawn`: number of tetrahedra in the input, and number of tetrahedra
+   *   drawn;
+   * - `NonFiniteTetrahedra`: number of tetrahedra skipped because of NaN or infinity at a point;
+   * - `FlatTetrahedra`: number of tetrahedra skipped because they have no volume;
+   * - `UnmatchedTriangles`: number of boundary triangles skipped because they are not faces of
+   *   tetrahedra;
    * - `RenderPath`, `PathReason`: the path (see RenderPaths), and the reason for it;
    * - `SortReason`: the reason for the sort mode;
    * - `PixelStride`: number of viewport pixels per computed pixel in x and in y; 1 in full detail;
-   * - `Seconds`: seconds to render this image.
+   * - `Seconds`: time to render this image, in seconds.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

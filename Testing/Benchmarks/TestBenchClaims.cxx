@@ -17,7 +17,7 @@ BenchRow MakeRow(const char* theCase, const char* method, const nlohmann::ordere
   return row;
 }
 
-/// Returns the case names of a claim that selects all rows.
+/// Returns the names of the cases of a claim that selects all rows.
 std::string NamesOf(const std::vector<BenchRow>& rows)
 {
   const auto number = [&rows](const BenchRow& row) -> std::optional<double>

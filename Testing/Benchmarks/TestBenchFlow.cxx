@@ -71,7 +71,8 @@ void TestTrilinearFlow(Check& check)
   }
 }
 
-/// Compares a result that has known errors along and across the streamline with the exact result.
+/// Compares a result that has known errors parallel and perpendicular to the streamline with the
+/// exact result.
 void TestDifference(Check& check)
 {
   const auto seeds = flow::MakeSeeds(3, 0.1, 1);
@@ -95,7 +96,8 @@ void TestDifference(Check& check)
   check.Near(difference.Within, 0.5, 0.0, "fraction within an error");
 }
 
-/// Tests that vtkStreamTracer ends with the step that leaves the box, as vtkImplicitFlowField does.
+/// Tests that vtkStreamTracer stops after the step that leaves the box, and that ReadTracer()
+/// returns the last point inside the box.
 void TestTracerEnds(Check& check)
 {
   check.SetContext("end of vtkStreamTracer's streamlines");
@@ -119,7 +121,8 @@ void TestTracerEnds(Check& check)
   for (const flow::End& end : result.Ends)
   {
     check.That(end.HasResult, "the sample has a result");
-    // A step is at most an eighth of a cell diagonal.
+    // A step is at most an eighth of a cell diagonal long, and the last point is within one step of
+    // the box face.
     check.Near(end.Position[0], -0.6, 0.055, "end point", 1.0);
   }
 }
@@ -173,7 +176,8 @@ void TestExplicitVolume(Check& check)
   // The cross section is a regular polygon with 30 vertices.
   check.Near(SumTetrahedra(grid).Volume, 15.0 * 0.16 * std::sin(Pi / 15.0) * 1.2, 1e-12, "volume");
   check.Near(SumTetrahedra(grid).Inverted, 0.0, 0.0, "inverted tetrahedra");
-  // If the prisms match, the surface consists of the first and last layer and the sides.
+  // If the faces of adjacent prisms match, the surface consists of the faces of the first and last
+  // layer and the sides.
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(grid);
   surface->Update();

@@ -91,7 +91,7 @@ approximations::Question MakeQuestion()
   return { "made-up", "Made up", "Is it right?", "Made up.", "run time (s)", "error" };
 }
 
-/// Checks the plot, caption and claim that the rows of a question produce.
+/// Checks the plot, caption and claim that are made from benchmark rows.
 void CheckRows()
 {
   using namespace approximations;
@@ -131,7 +131,7 @@ void CheckRows()
   Expect(CheckDefaults({ family }, {}).Cases.empty(), "without rows the claim has no cases");
 }
 
-/// Checks that processor time, if selected, excludes the time spent waiting.
+/// Checks that CPU time, if selected, excludes the time spent waiting.
 void CheckClocks()
 {
   using namespace approximations;
@@ -175,7 +175,8 @@ int Count(const std::string& text, const std::string& part)
   return number;
 }
 
-/// Returns true if all tags are closed and no tag begins inside another tag.
+/// Returns true if each "<" is followed by ">" before the next "<", and all text elements are
+/// closed.
 bool IsWellFormed(const std::string& svg)
 {
   bool isInside = false;
@@ -195,7 +196,7 @@ void CheckImage()
   BenchPlot plot = MakePlot();
   const std::string plain = MakeSvg(plot, "machine\nconditions");
   Expect(Count(plain, "class=\"default\"") == 0, "without a default nothing is marked");
-  // The step function starts at the first point and has a step to each of the other three.
+  // The step function starts at the first of the four points and has a step to each other point.
   const std::size_t front = plain.find("class=\"front\"");
   const std::string path =
     plain.substr(plain.rfind("<path", front), front - plain.rfind("<path", front));
@@ -218,7 +219,7 @@ void CheckImage()
     "an error of 0 is not drawn on a logarithmic axis");
 }
 
-/// Checks the positions of points at the ends and the center of logarithmic axes from 1e-1 to 1e1.
+/// Checks that a point at (1, 1) is at the center of logarithmic axes from 1e-1 to 1e1.
 void CheckPositions()
 {
   BenchPlot plot = BenchPlot::OfErrors("places", "Places", "x", "y");
@@ -271,7 +272,7 @@ void CheckBars()
   Expect(Count(svg, ">first<") == 1 && Count(svg, ">second<") == 1, "bars have labels");
 }
 
-/// Checks that baselines and series that cannot be chosen have dashed lines.
+/// Checks that lines are dashed for baselines and for series that are only shown for comparison.
 void CheckDashes()
 {
   BenchPlot plot = MakePlot();

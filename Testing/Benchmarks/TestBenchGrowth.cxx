@@ -40,8 +40,8 @@ growth::Quantity MakeQuantity(const std::string& name)
   return made;
 }
 
-/// Adds rows for n = 1, 2, 4 and 8, with 2 n^time processor seconds, 3 / n seconds and about 10,000
-/// n^memory KiB.
+/// Adds rows for n = 1, 2, 4 and 8, with 2 n^timePower CPU seconds, 3 / n elapsed seconds and about
+/// 10,000 n^memoryPower KiB.
 void AddSizes(
   const growth::Quantity& quantity, double timePower, double memoryPower, BenchRows& rows)
 {
@@ -84,7 +84,8 @@ void TestClaims()
     Expect(claim.IsMet(), "the claim must be met: " + claim.Text);
   }
 
-  // These exponents are above and below the margin around the expected exponent.
+  // The exponents of `slow` are above, and those of `fast` below, the margin around the expected
+  // exponents.
   const growth::Quantity slow = MakeQuantity("slow");
   AddSizes(slow, 1.2, 0.2, rows);
   growth::AddExponentRows(slow, rows);
@@ -119,8 +120,8 @@ void TestOneSize()
   Expect(growth::CheckExponents(first.Get())[0].Cases.empty(), "a single point has no exponent");
 }
 
-/// Tests that a few pages of memory count as constant, and that memory without measurements has no
-/// exponent.
+/// Tests that growth by a few pages of memory counts as constant, and that rows without measured
+/// memory have no memory exponent.
 void TestMemory()
 {
   const growth::Quantity quantity = MakeQuantity("pages");

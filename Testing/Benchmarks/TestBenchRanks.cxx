@@ -8,7 +8,7 @@
 
 namespace
 {
-/// Returns a run whose processes take the given times and memory.
+/// Returns the results of a run whose processes have the given run times and memory sizes.
 BenchResults MakeRun(const std::vector<double>& seconds, const std::vector<double>& kib)
 {
   const int number = static_cast<int>(seconds.size());

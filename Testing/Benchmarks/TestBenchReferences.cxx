@@ -94,7 +94,8 @@ void TestSplit(int pieces)
   ExpectNear(sums.Tetrahedra, pieces * cells * cells * cells, 0.0, name + ", number of tetrahedra");
   ExpectNear(sums.Inverted, 0.0, 0.0, name + ", inverted tetrahedra");
   ExpectNear(sums.Volume, 8.0, 1e-13, name + ", volume");
-  // If the tetrahedra match, the surface is the box with 2 triangles per square.
+  // If the faces of adjacent tetrahedra match, the surface is the box, with two triangles per cell
+  // face.
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(grid);
   surface->Update();
@@ -175,7 +176,8 @@ void TestMovingFields()
       ExpectNear(error.Volume, 0.0, 3e-3, field.Name + ", volume");
       ExpectNear(error.SymmetricDifference, 0.0, 2e-2, field.Name + ", symmetric difference");
     }
-    // The planes of the linear field move by 0.05 along z per unit of time, through a box of 2 x 2.
+    // The planes that bound the region of the linear field move by 0.05 along z per unit of time.
+    // Their projection along z is a 2 x 2 square.
     if (field.Name == "linear")
     {
       const auto error = interval4d::MeasureRegion(field, 1.4, MakeRegion(field, 1.0));

@@ -133,7 +133,8 @@ void CheckMethods(const nlohmann::json& rows)
   }
 }
 
-/// Checks that every question has several methods to compare, measured errors, and one default.
+/// Checks that the rows of each approximation have several methods, errors and times, and one
+/// default.
 void CheckQuestions(const nlohmann::json& rows)
 {
   std::set<std::string> expected = { "contour-error", "critical-points", "vortex-axis",

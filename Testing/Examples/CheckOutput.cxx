@@ -36,7 +36,8 @@ bool HasTetrahedra(vtkUnstructuredGrid* grid)
   return grid->GetNumberOfCells() > 0;
 }
 
-/// Returns true if the range of the array is within the bounds, up to the array's precision.
+/// Returns true if the array's values are not constant and are within the bounds, up to rounding
+/// errors.
 bool IsWithin(vtkUnstructuredGrid* grid, const char* name, double lower, double upper)
 {
   vtkDataArray* array = grid->GetPointData()->GetArray(name);
@@ -71,10 +72,11 @@ bool CheckMesh(int argc, char* argv[])
 constexpr int COLUMNS = 30;
 constexpr int ROWS = 20;
 
-/// Maximum difference of the mean colors of a block, from 0 to 255.
+/// Maximum difference between mean colors of corresponding blocks, with colors in [0, 255].
 constexpr double MAXIMUM_DIFFERENCE = 12.0;
 
-/// Returns the mean colors of the blocks, or null if they do not divide the size of the image.
+/// Returns the mean colors of the blocks, or null if the image size is not a multiple of the number
+/// of blocks.
 vtkSmartPointer<vtkImageData> MeanOfBlocks(vtkImageData* image)
 {
   const int* size = image->GetDimensions();

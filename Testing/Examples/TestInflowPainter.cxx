@@ -36,8 +36,8 @@ using namespace reference;
 constexpr int Columns = 96;
 constexpr int Rows = 64;
 
-/// Returns a straight flow along x through a box, and sets \a plane to the plane at which it
-/// enters.
+/// Returns a straight flow along x through a box, and places \a plane where the flow enters the
+/// box.
 vtkSmartPointer<vtkImageData> MakeFlow(vtkTerminationPlane* plane)
 {
   vtkNew<vtkImageData> field;
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkImageData> MakeFlow(vtkTerminationPlane* plane)
   return vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-/// Number of uploads to the graphics card in several frames.
+/// Number of uploads to the GPU while frames are rendered, and number of these frames.
 struct Uploads
 {
   int Grid = 0;
@@ -71,7 +71,7 @@ struct Uploads
   int Images = 0;
 };
 
-/// A window with a recorder that plays given events.
+/// A painter window, and a recorder that plays queued events in it.
 class Session
 {
 public:
@@ -101,7 +101,7 @@ public:
   void SendAt(const std::string& event, int x, int y)
   {
     this->Events += event + " " + std::to_string(x) + " " + std::to_string(y) + " 0 0 0 0\n";
-    // Store the canvas position of this pixel for the formula.
+    // Store the canvas position of this pixel, which CheckFile() needs.
     vtkRenderer* left = this->Painter.GetLeft();
     left->SetDisplayPoint(x, y, 0.0);
     left->DisplayToWorld();
@@ -181,8 +181,7 @@ double GetDistance(
   return std::hypot(x - a[0] - fraction * direction[0], y - a[1] - fraction * direction[1]);
 }
 
-/// Compares every pixel of a file with a formula for the painted line, which is drawn with one
-/// brush.
+/// Checks every pixel of an image file by its distance to \a line, which was painted with \a brush.
 void CheckFile(const std::string& file, const std::vector<PaintCanvas::Position>& line,
   const PaintCanvas::Brush& brush, Check& check)
 {
@@ -216,8 +215,8 @@ void CheckFile(const std::string& file, const std::vector<PaintCanvas::Position>
   check.Equal(errors, 0, "values that differ from the brush color");
 }
 
-/// Returns the number of values that differ in the right half of the right view, which shows only
-/// the flow.
+/// Returns the number of color values that changed in the right half of the right view, which shows
+/// only the flow.
 vtkIdType CountChanges(
   const std::vector<unsigned char>& one, const std::vector<unsigned char>& other, std::size_t width)
 {
@@ -231,7 +230,8 @@ vtkIdType CountChanges(
   return changes;
 }
 
-/// Tests a stroke: the file, the view, the uploads, and undoing it.
+/// Tests the saved file, the rendered view and the GPU uploads of a stroke, and that it can be
+/// undone.
 void TestStroke(const std::string& folder, Check& check)
 {
   Session session;
@@ -285,7 +285,7 @@ void TestStroke(const std::string& folder, Check& check)
   session.Play();
   check.That(session.GrabRight() == painted, "clearing is undone");
 
-  // The eraser removes only opacity.
+  // The eraser makes paint transparent, so the white canvas is visible.
   session.Press('x');
   session.Send("LeftButtonPressEvent", 48.0, 44.0);
   session.Send("LeftButtonReleaseEvent", 48.0, 44.0);
@@ -326,7 +326,7 @@ void TestControls(Check& check)
   check.That(!painter.GetCanvas().Undo(), "rotating does not paint");
 }
 
-/// Tests an image of another size and type, and a missing file.
+/// Tests loading an image of a different size and type, and loading a missing file.
 void TestFiles(const std::string& folder, Check& check)
 {
   vtkNew<vtkImageData> image;

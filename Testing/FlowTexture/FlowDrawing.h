@@ -17,32 +17,32 @@ namespace reference
 
 class Check;
 
-/// Draws voxels with a mapper, with the scene's camera and unit distance.
+/// Draws voxels with the camera and the unit distance of a scene.
 RgbaImage DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
   const FlowScene& scene, vtkVolumeProperty* property = nullptr);
 
 /// Uniform flow along x that starts at the plane x = -0.5.
 FlowEnd Uniform(const Position3& x);
 
-/// Returns a camera that looks along \a direction and shows the full cube.
+/// Returns a camera that looks along \a direction and shows the entire unit cube around the origin.
 vtkSmartPointer<vtkCamera> LookAlong(const Position3& direction, bool isParallel = false);
 
-/// A smooth spot of color for uniform flow.
+/// Returns the color of an inflow texture with a smooth spot.
 Color4 Blob(double u, double v);
 FlowScene MakeBlobScene();
 
-/// Returns voxels with two termination surfaces, which have the ids 0 and 8, and the arrays Speed
-/// and Ways (three components).
+/// Returns voxels with two termination surfaces (ids 0 and 8) and the arrays Speed and Ways (three
+/// components).
 vtkSmartPointer<vtkImageData> MakeTwoFlows();
 
-/// Returns a texture whose red channel oscillates along u with \a frequency radians in total.
+/// Returns a texture whose red channel is a sine of u with angular frequency \a frequency.
 vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha);
 
 /// Sets the unit distance and the lighting coefficients, without specular light.
 void SetCoefficients(
   vtkVolumeProperty* property, double unitDistance, double ambient, double diffuse);
 
-/// Errors of colors divided by opacity. Only pixels with the expected opacity are compared, which
+/// Errors of unpremultiplied colors. Only pixels with the expected opacity are compared, which
 /// excludes edges.
 struct LightError
 {
@@ -54,7 +54,7 @@ LightError CompareLight(const RgbaImage& found, const RgbaImage& expected);
 
 /**
  * @struct  FlowFixture
- * @brief   a mapper of MakeTwoFlows() with adjustable settings, and a stage that draws it
+ * @brief   draws the voxels of MakeTwoFlows() with a mapper whose settings can be changed
  */
 struct FlowFixture
 {
@@ -65,8 +65,9 @@ struct FlowFixture
 
   vtkInterlumeReport* Draw();
 
-  /// Sets time gate, arrays, shading, clipping, filter and projection from the last eight numbers
-  /// of \a state, each from 0 to 1. The result does not depend on earlier settings.
+  /// Sets the time gate, arrays, shading, clipping, texture filter and projection from the last
+  /// eight numbers of \a state, which are in [0, 1]. The result does not depend on earlier
+  /// settings.
   virtual void Apply(const State& state);
 
   VolumeStage Stage;
@@ -77,8 +78,8 @@ struct FlowFixture
   vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
 };
 
-/// Checks that the image after many random states equals the image of a new mapper. \a inspect is
-/// called with the report of each state.
+/// Checks after each of many random states that the image equals that of a new mapper. \a inspect
+/// is called with the report of each state.
 void CheckRandomStates(const std::function<std::unique_ptr<FlowFixture>()>& make,
   const std::function<void(vtkInterlumeReport*)>& inspect, Check& check);
 

@@ -55,8 +55,8 @@ void KeepSlab(vtkImplicitFlowVolumeMapper* mapper, double lower, double upper)
   }
 }
 
-/// Tests two surfaces with distant texture coordinates. Their textures are blue at coordinates that
-/// occur only if coordinates of both surfaces are mixed.
+/// Tests two surfaces with very different texture coordinates. Their textures are blue at
+/// coordinates that occur only if the coordinates of both surfaces are interpolated.
 void TestSurfaces(Check& check)
 {
   const auto flow = [](const Position3& x)
@@ -148,7 +148,7 @@ void TestSeam(Check& check, bool isPeriodic)
   check.That(isPeriodic ? red < 1e-6 : red > 0.2, "the texture at the seam");
 }
 
-/// Returns the number of cells of n^3 voxels in which u jumps.
+/// Returns the number of cells with a jump of u in a grid of n^3 voxels.
 vtkIdType CountJumps(vtkImageData* voxels, int n)
 {
   vtkDataArray* coordinates = voxels->GetPointData()->GetArray("TerminationUV");
@@ -172,8 +172,8 @@ vtkIdType CountJumps(vtkImageData* voxels, int n)
   return count;
 }
 
-/// A seam that is wound up into sheets is resolved, except for one half plane, and the image equals
-/// the image of the formula.
+/// Tests a spiral seam. The mapper must resolve all of it except one half-plane, and the image must
+/// equal that of the formula.
 void TestWoundSeam(Check& check)
 {
   const auto flow = [](const Position3& x)
@@ -203,7 +203,8 @@ void TestWoundSeam(Check& check)
   check.That(remaining < jumps / 4, "remaining cells: " + std::to_string(remaining));
 }
 
-/// Streamlines return to a half plane: the times on its two sides are not mixed.
+/// Tests streamlines that return to the half-plane where they started. The advection times on its
+/// two sides must not be mixed.
 void TestSides(Check& check)
 {
   const auto flow = [](const Position3& x)
@@ -260,7 +261,7 @@ void TestSides(Check& check)
   }
 }
 
-/// Returns true inside the letter E with strokes of width 0.1. Coordinates are from 0 to 1.
+/// Returns true inside the letter E with strokes of width 0.1. Coordinates are in [0, 1].
 bool IsInLetter(double u, double v)
 {
   const bool isStem = u > 0.3 && u < 0.4;
@@ -269,8 +270,7 @@ bool IsInLetter(double u, double v)
   return v > 0.2 && v < 0.8 && (isStem || isBar);
 }
 
-/// Tests a letter that is six cells high, ten cells downstream in a flow that rotates and strains
-/// the letter.
+/// Tests a letter six cells high, ten cells downstream in a flow that rotates and strains it.
 void TestLetter(Check& check)
 {
   const int n = 21;
@@ -310,7 +310,7 @@ void TestLetter(Check& check)
   check.That(inside > 300 && different < 0.1 * inside, "a letter ten cells downstream");
 }
 
-/// Stripes finer than pixels become gray if filtered, without moire patterns.
+/// With filtering, stripes finer than a pixel become gray, without moire patterns.
 void TestFilter(Check& check)
 {
   const auto flow = [](const Position3& x) {

@@ -39,7 +39,8 @@ vtkSmartPointer<vtkImageData> MakeBlock()
   return image;
 }
 
-/// A fixture with textures and without lights.
+/// A fixture that also varies the inflow textures, the detail texture and the time gate, but has no
+/// lights.
 struct Fixture : FlowFixture
 {
   Fixture()
@@ -105,8 +106,8 @@ void TestCounters(Check& check)
   mapper->SetInflowTexture(8, second);
   const auto expect = [&](const Uploads& uploads, const std::string& what)
   { CheckUploads(check, fixture.Draw(), uploads, what); };
-  // The first image uploads cells, positions and groups, two inflow textures, and the table of
-  // surfaces.
+  // The first frame uploads three voxel textures (cells, positions and groups), two inflow textures
+  // and the surface table.
   expect({ 3, 3, 0, 0, 0, 0 }, "first image");
   check.Equal(
     mapper->GetReport()->GetCount("Textures"), 6, "no textures for features that are off");
@@ -191,9 +192,9 @@ void TestRandom(Check& check)
   CheckRandomStates([] { return std::make_unique<Fixture>(); }, [](vtkInterlumeReport*) {}, check);
 }
 
-/// Several vtkImageData of different dimensions share their arrays, which are modified later, and
-/// arrays of different ranges share one modified transfer function. Each frame must equal the frame
-/// of a new mapper.
+/// Draws several vtkImageData of different dimensions that share their arrays, with two opacity
+/// arrays of different ranges that share a transfer function. The arrays and the function are
+/// modified first. Each frame must equal that of a new mapper.
 void TestShared(Check& check)
 {
   const FlowFormula flow = [](const Position3& x) {

@@ -24,7 +24,7 @@ using namespace reference;
 constexpr double PI = 3.14159265358979324;
 constexpr double TOLERANCE = 1.0 / 255.0;
 
-/// Blocks of colors with opacity 0 or 1 and sharp edges.
+/// Colored blocks with sharp edges and opacity 0 or 1.
 Color4 Blocks(double u, double v)
 {
   const int i = static_cast<int>(6.0 * u);
@@ -60,12 +60,12 @@ void TestImage(Check& check)
     scene.Paint = [&](const FlowEnd& end) { return LookUpPaint(paint, end.U, end.V); };
     scene.IsRetained = [at](const Position3& x) { return std::abs(x[0] - at) < 0.06; };
     const RgbaImage expected = MakeFlowReferenceImage(scene, 100);
-    // At edges, the reference allows for the interpolation between neighboring texels. The direct
-    // comparison with the texture excludes edges.
+    // The reference image includes the interpolation between texels at the edges of blocks. The
+    // direct comparison with the texture excludes edges.
     double sum = 0.0;
     double largest = 0.0;
     int count = 0;
-    // In the image, u increases from left to right.
+    // u increases from left to right in the image.
     const double pixel = 2.0 * scene.Camera->GetParallelScale() / scene.Size[1];
     for (const auto& [j, i] : AllIndices(scene.Size[1], scene.Size[0]))
     {
@@ -120,7 +120,7 @@ vtkSmartPointer<vtkImageData> MakeSpotTexture()
   return MakePaint(257, 257, [](double u, double v) { return Spots({ true, 0, u, v, 0.0 }); });
 }
 
-/// A rotation around the z axis from the half plane y = 0, x > 0, with a period of 2 pi.
+/// A rotation about the z-axis that starts at the half-plane y = 0, x > 0 and has a period of 2 pi.
 FlowEnd Rotation(const Position3& x)
 {
   const double radius = std::hypot(x[0], x[1]);
@@ -128,7 +128,7 @@ FlowEnd Rotation(const Position3& x)
   return { true, 4, radius / 0.75, x[2] + 0.5, angle < 0.0 ? angle + 2.0 * PI : angle };
 }
 
-/// A strained, swirling flow from the plane x = -0.5.
+/// A strained, swirling flow that starts at the plane x = -0.5.
 FlowEnd Strain(const Position3& x)
 {
   const double time = x[0] + 0.5;
@@ -138,7 +138,7 @@ FlowEnd Strain(const Position3& x)
   return { true, 0, 0.5 + 0.6 * y, 0.5 + 0.6 * z, time };
 }
 
-/// Checks the order of convergence while the voxel size and the sample distance are halved.
+/// Checks the order of convergence as the voxel size and the sample distance are repeatedly halved.
 void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
   const Position3& direction, double order, double bound)
 {
@@ -154,13 +154,13 @@ void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
   {
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
     mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, paint);
-    // The formula is evaluated at points, without filtering over pixels.
+    // The reference evaluates the formula at points, without filtering over pixels.
     mapper->TextureFilterOff();
     const ImageError error =
       CompareImages(DrawFlow(mapper, MakeFlowVoxels(n, flow), scene), expected);
     std::cout << name << ", " << n << " voxels: " << error << ", order "
               << std::log2(before / error.Mean) << "\n";
-    // With the finest voxels, most of the error occurs because rays end at an opacity of 0.9999.
+    // With the finest voxels, most of the error is due to ray termination at an opacity of 0.9999.
     check.That(before == 0.0 || n == 65 || std::log2(before / error.Mean) >= order,
       name + ": the order of the error with " + std::to_string(n) + " voxels");
     check.That(n < 65 || error.Mean <= bound, name + ": the mean error");
@@ -168,7 +168,7 @@ void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
   }
 }
 
-/// In a rotation, the color just before one full turn equals the color at its start.
+/// In a rotation, colors just before a full turn must equal those at the start of the turn.
 void TestTurn(Check& check)
 {
   const auto section = [](double angle)

@@ -80,7 +80,7 @@ void TestCuts(Check& check)
   inverse->SetCroppingRegionFlags(0x7ffdfff);
   compare(inverse, "cube without a box", 2e-3);
 
-  // A rotated cube of constant flow.
+  // A rotated cube in which all voxels have the same inflow position.
   scene.Flow = [](const Position3&) { return FlowEnd{ true, 0, 0.5, 0.45, 0.5 }; };
   const double axes[9] = { 0.8, -0.6, 0.0, 0.48, 0.64, -0.6, -0.36, -0.48, -0.8 };
   vtkSmartPointer<vtkImageData> rotated = MakeFlowVoxels(9, scene.Flow);
@@ -88,7 +88,7 @@ void TestCuts(Check& check)
   Position3 center;
   rotated->GetCenter(center.data());
   rotated->SetOrigin(-0.5 - center[0], -0.5 - center[1], -0.5 - center[2]);
-  // Clipping remains exact if the sample distance exceeds the width of the regions.
+  // Even if samples are far apart, cropping and clipping planes yield the same image.
   RgbaImage images[2];
   for (const bool isClipped : { false, true })
   {
@@ -115,11 +115,11 @@ void TestCuts(Check& check)
     "cropping of a rotated volume equals six clipping planes", 1.0);
 }
 
-/// Two thin sheets. The mapper skips the empty space around them.
+/// Tests two thin sheets. The mapper must skip the empty cells around them.
 void TestSheets(Check& check)
 {
   FlowScene scene = MakeBlobScene();
-  // Borders are halfway between voxels that reached a surface and voxels that did not.
+  // Sheet borders are halfway between voxels that reached a surface and those that did not.
   const double h = 1.0 / 32.0;
   const auto sheets = [h](const Position3& x)
   {
@@ -253,8 +253,8 @@ void TestFlowVolume(Check& check)
   plane->SetOrigin(-0.5, -0.9, -0.9);
   plane->SetPoint1(-0.5, 0.9, -0.9);
   plane->SetPoint2(-0.5, -0.9, 0.9);
-  // Flow that enters through the lateral faces of the field has no inflow value. Only the core of
-  // the field is drawn.
+  // Streamlines that leave through the lateral faces of the field have no inflow value. Only the
+  // core of the field is drawn.
   vtkNew<vtkImplicitFlowField> flow;
   flow->SetInputData(field);
   flow->AddTerminationSurface(plane);
@@ -324,8 +324,8 @@ void TestFlowVolume(Check& check)
       depths[0] += a;
       depths[1] += b;
       difference += std::abs(a - b);
-      // Silhouettes may differ by one pixel: some neighbor must have the same visibility in the
-      // other image.
+      // Silhouettes may differ by one pixel: in the other image, the pixel or one of its neighbors
+      // must have the same visibility.
       for (const bool isSeen : { true, false })
       {
         const auto has = [&](const RgbaImage& image, int x, int y)

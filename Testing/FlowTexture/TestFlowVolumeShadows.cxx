@@ -28,7 +28,7 @@ using namespace reference;
 
 constexpr double UnitDistance = 0.1;
 
-/// Two slabs along the flow, a red slab and a white slab.
+/// A red slab and a white slab, both parallel to the flow.
 Color4 Slabs(double u, double)
 {
   const bool isFirst = u > 0.25 && u < 0.35;
@@ -37,7 +37,7 @@ Color4 Slabs(double u, double)
     isFirst ? 0.6 : (isSecond ? 0.4 : 0.0) } };
 }
 
-/// A spot of smooth opacity.
+/// A spot whose opacity falls off smoothly.
 Color4 Spot(double u, double v)
 {
   const double r = std::hypot(u - 0.5, v - 0.45) / 0.25;
@@ -102,7 +102,8 @@ struct Case
   Position3 Light;
   bool IsPositional;
   Position3 ViewDirection;
-  /// Bounds of the mean light error, with default settings and with finer slices and buffers.
+  /// Upper bounds of the mean light error: with default settings, and with finer slices and light
+  /// buffers.
   double Mean;
   double Fine;
 };
@@ -263,7 +264,7 @@ void TestUnusedShadows(Check& check)
   check.Equal(fixture.Draw()->GetCount("LightBufferSize"), 32, "the size of light buffers");
 }
 
-/// The mapper reports errors of slice rendering, and hardware selection works without slices.
+/// Tests an error of slice rendering, and hardware selection while shadows are on.
 void TestOthers(Check& check)
 {
   Fixture fixture;
@@ -285,8 +286,8 @@ void TestOthers(Check& check)
   check.Equal(fixture.Draw()->GetCount("LightBuffers"), 1, "shadows after a selection");
 }
 
-/// Slices and ray casting agree if the light has no effect, and have the same shading if there is
-/// almost no shadow.
+/// Slices and ray casting must yield the same image with purely ambient light, and with shading by
+/// lights whose shadows are negligible.
 void TestRaysAndSlices(Check& check)
 {
   Random random(5);
@@ -295,11 +296,11 @@ void TestRaysAndSlices(Check& check)
   {
     FlowFixture::State values;
     std::generate(values.begin(), values.end() - 1, [&]() { return random.Get(0.0, 1.0); });
-    // Ray casting filters textures only in parallel projection.
+    // Filters textures only in parallel projection, for which the error bound was measured.
     values[16] = values[15];
     const bool isShaded = change % 2 == 1;
     values[12] = isShaded ? 1.0 : 0.0;
-    // Without a shading array, only slices are lit.
+    // Enables a shading array, without which only slices are lit.
     values[10] = isShaded ? 1.0 : values[10];
     Fixture sliced;
     sliced.Apply(values);
@@ -328,7 +329,7 @@ void TestRaysAndSlices(Check& check)
   check.That(largest > 0.2, "some image is not empty");
 }
 
-/// The image after many changes equals that of a new mapper.
+/// The image after many changes must equal that of a new mapper.
 void TestRandom(Check& check)
 {
   int shadowed = 0;

@@ -22,7 +22,7 @@ using namespace reference;
 
 constexpr double UnitDistance = 0.1;
 
-/// Dense texture between two values of u and of v.
+/// A dense region of the texture, given by ranges of u and v.
 struct Slab
 {
   std::array<double, 2> U;
@@ -75,8 +75,7 @@ double GetTransmittance(const Position3& x, const Position3& light)
   return std::exp(-depth);
 }
 
-/// Position of the light. Its emitter is a square perpendicular to the line from there to the
-/// origin.
+/// Position of the light. Its square emitter faces the origin.
 const Position3 LightPosition{ { 0.31, -1.7, 0.42 } };
 
 vtkSmartPointer<vtkAreaLight> MakeLight(double size)
@@ -157,7 +156,7 @@ void TestFormula(Check& check)
       name + ": mean light error " + std::to_string(error.Mean));
     if (size > 0.0)
     {
-      // For comparison, the error if the light has no extent.
+      // For comparison, the error of a point light.
       const RgbaImage point = Draw(mapper, MakeLight(0.0), scene, &GetSlabColor);
       const double hard = CompareLight(point, expected).Mean;
       std::cout << "a light without extent instead: mean light error " << hard << "\n";
@@ -171,8 +170,8 @@ Color4 GetDenseColor(double u, double)
   return { { 1.0, 1.0, 1.0, u > 0.25 && u < 0.35 ? 0.98 : 0.0 } };
 }
 
-/// Returns the root mean square difference between the light on a dense slab's front and the same
-/// light with the finest buffer.
+/// Draws a dense slab and returns the root mean square difference from the image with the finest
+/// light buffer.
 double GetStripes(const FlowScene& scene, int size, const RgbaImage* finest, RgbaImage& found)
 {
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
@@ -195,8 +194,8 @@ double GetStripes(const FlowScene& scene, int size, const RgbaImage* finest, Rgb
   return std::sqrt(sum / std::max(pixels, 1));
 }
 
-/// Columns of the light buffer show as stripes on a sharp edge of dense texture. The default buffer
-/// size makes them faint.
+/// Columns of the light buffer may be visible as stripes at sharp edges of a dense texture. With
+/// the default buffer size, the stripes must be faint.
 void TestStripes(Check& check)
 {
   FlowScene scene;

@@ -40,7 +40,7 @@ namespace
 using namespace reference;
 
 constexpr int WINDOW = 512;
-// Render targets and texture filters of graphics cards have 8 bits.
+// Render targets and texture filtering of graphics cards have a precision of 8 bits.
 constexpr double TOLERANCE = 2.0 / 255.0;
 
 /// An unlit quad with texture coordinates from 0 to the given maxima. Initially it fills the
@@ -84,7 +84,7 @@ public:
   }
 
   using Row = std::vector<std::array<double, 4>>;
-  /// Returns the pixels of the center row or column, from 0 to 1.
+  /// Renders, and returns the pixels of the center row or column with values in [0, 1].
   Row Draw(bool isColumn = false)
   {
     this->Window->Render();
@@ -146,7 +146,7 @@ double GetCoverage(int i, int period, double width)
   return static_cast<double>(covered) / parts;
 }
 
-/// Compares every level with the exact coverage of its texels by lines.
+/// Compares every mipmap level with the exact coverage of its texels by lines.
 void TestLevels(Check& check, int lines, int texels, double width, int direction)
 {
   check.SetContext("levels of " + std::to_string(lines) + " lines of " + std::to_string(texels) +
@@ -264,7 +264,7 @@ void TestFarAway(StabilityCatalogue& catalogue)
   const Lines lines = FindLines(quad.Draw(), WINDOW / 2 - 8, WINDOW / 2 + 7);
   catalogue.Measure("far-away", "256 lines over 16 pixels", "loss of contrast",
     1.0 - lines.Lightest + lines.Darkest, 0.5);
-  // Each period of a repeated texture has the same number of lines.
+  // If the texture is repeated 64 times, every period shows one line.
   Quad repeated(64.0, 1.0);
   repeated.Actor->SetTexture(texture);
   const Lines all = FindLines(repeated.Draw(), 0, WINDOW - 1);
@@ -274,7 +274,8 @@ void TestFarAway(StabilityCatalogue& catalogue)
     "loss of contrast", 1.0 - all.Lightest + all.Darkest, 0.3);
 }
 
-/// Grid lines have the same spacing in both directions, even if the ranges of coordinates differ.
+/// Grid lines have the same spacing in both directions, even if the ranges of the texture
+/// coordinates differ.
 void TestGrid(Check& check)
 {
   check.SetContext("grid: ");
@@ -286,7 +287,7 @@ void TestGrid(Check& check)
   vtkStreamlineTexture::AddTo(quad.Actor, streamlines, timelines);
   for (const bool isColumn : { false, true })
   {
-    // The camera is moved off the lines through the center.
+    // The camera is moved so that the center row and column are not on a line.
     quad.Renderer->GetActiveCamera()->SetFocalPoint(7.0 / WINDOW, 7.0 / WINDOW, 0.0);
     quad.Renderer->GetActiveCamera()->SetPosition(7.0 / WINDOW, 7.0 / WINDOW, 1.0);
     const Lines lines = FindLines(quad.Draw(isColumn), 8, WINDOW - 16);
@@ -300,8 +301,8 @@ void TestGrid(Check& check)
   check.That(quad.Actor->GetProperty()->GetAllTextures().empty(), "no second texture is left");
 }
 
-/// Lines are drawn over the mapper's colors, which show between the lines. Without a background,
-/// the gaps are transparent.
+/// The texture is multiplied by the mapper's colors. Without a background, the gaps between lines
+/// are transparent.
 void TestColors(Check& check)
 {
   check.SetContext("colors: ");
@@ -414,7 +415,7 @@ void TestSettings(StabilityCatalogue& catalogue)
   texture->SetLineWidth(1.0);
   catalogue.Measure("width-1", "one line as wide as the line spacing",
     "fraction of light that is left", quad.Draw()[WINDOW / 2][0], 0.01);
-  // The texture exceeds the maximum size.
+  // The size of the texture exceeds the limit of OpenGL.
   texture->SetNumberOfLines(4096);
   texture->SetTexelsPerLine(256);
   texture->SetLineWidth(0.5);

@@ -38,8 +38,8 @@ void ShortenArrays(vtkDataSet* data, vtkIdType points)
   }
 }
 
-/// Rebuilds the cells without polyhedra and with one inconsistency. Returns the text that the
-/// message must contain, or an empty string if there is no cell to damage.
+/// Removes polyhedra, and damages one cell or the array of cell types. Returns the text that the
+/// error message must contain, or an empty string if nothing was damaged.
 std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
 {
   const vtkIdType points = grid->GetNumberOfPoints();
@@ -104,7 +104,8 @@ std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
   return types->GetNumberOfValues() < cells ? "type" : "ell ";
 }
 
-/// Returns the text that the message must contain, or an empty string if nothing was damaged.
+/// Damages a dataset. Returns the text that the error message must contain, or an empty string if
+/// nothing was damaged.
 std::string Damage(FuzzRandom& random, vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))

@@ -13,13 +13,13 @@ namespace
 
 std::size_t PickPosition(FuzzRandom& random, const std::string& bytes)
 {
-  // Half of the positions are in the header, which contains text.
+  // Half of the positions are in the first 2000 bytes, which include the header with its text.
   const int size =
     static_cast<int>(random.Chance(0.5) ? std::min<std::size_t>(bytes.size(), 2000) : bytes.size());
   return static_cast<std::size_t>(random.Integer(0, std::max(size - 1, 0)));
 }
 
-/// Truncates the bytes, or changes a bit, a block or a digit.
+/// Truncates the bytes, flips a bit, erases, inserts or zeroes a block, or changes a digit.
 void Damage(FuzzRandom& random, std::string& bytes)
 {
   const std::size_t position = PickPosition(random, bytes);

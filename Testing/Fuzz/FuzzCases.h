@@ -10,8 +10,8 @@
 #include <vector> // for the list
 
 /**
- * Families of random cases. Each function creates data and a pipeline from a random generator,
- * checks the results, and appends its choices to \a text for messages.
+ * Families of random test cases. Each function creates data and a pipeline from a random generator,
+ * checks the results, and stores its choices in \a text for messages.
  */
 namespace fuzz
 {
@@ -21,7 +21,7 @@ namespace fuzz
 /// them reproduces the output.
 void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// Checks that all points of vtkIsotableContour have the isovalue.
+/// Checks that all points of vtkIsotableContour have one of the isovalues.
 void RunContours(FuzzRandom& random, std::string& text, reference::Check& check);
 
 /// Checks vtkTimeVaryingIntervalVolume and vtkSimplexTimeSlice on time steps of one grid.
@@ -30,7 +30,7 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check);
 /// Checks vtkImplicitFlowField, vtkInflowMapping and vtkFlowVolume: statuses must be valid.
 void RunFlow(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// Checks inconsistent grids: filters must only report an error that names the cell or array.
+/// Checks that filters reject inconsistent grids with an error that names the fault.
 void RunDamage(FuzzRandom& random, std::string& text, reference::Check& check);
 
 /// Checks damaged checkpoints and slabs: they must be reported and must not change the output.

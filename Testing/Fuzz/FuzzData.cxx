@@ -40,7 +40,7 @@ const std::vector<double> ExtremeNumbers = { NaN, Infinity, -Infinity, Denormal,
 
 std::array<int, 3> MakeDimensions(FuzzRandom& random)
 {
-  // If an axis has only one point, the image is lower-dimensional.
+  // If an axis has only one point, the grid is lower-dimensional.
   const int smallest = random.Chance(0.1) ? 1 : 2;
   return { { random.Integer(smallest, 7), random.Integer(smallest, 7),
     random.Integer(smallest, 7) } };
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkDataSet> MakeStructured(FuzzRandom& random, bool isTame)
   const double jitter = isTame ? 0.0 : random.Pick<double>({ 0.0, 0.2, 1.0 });
   for (const auto& [k, j, i] : reference::AllIndices(dimensions[2], dimensions[1], dimensions[0]))
   {
-    // The last column of a closed grid coincides with its first.
+    // The last column of a closed grid coincides with its first column.
     const double angle =
       6.283185307179586 * (i % std::max(dimensions[0] - 1, 1)) / std::max(dimensions[0] - 1, 1);
     double x[3] = { 1.0 * i, 1.0 * j, 1.0 * k };
@@ -200,7 +200,8 @@ vtkSmartPointer<vtkDataSet> MakeUnstructured(
   return mesh;
 }
 
-/// Moves, scales and flattens the explicit coordinates of a dataset, or makes one of them extreme.
+/// Moves, scales and flattens the points of a dataset, and in some cases makes a coordinate
+/// extreme.
 void Distort(FuzzRandom& random, FuzzData& data)
 {
   auto* grid = vtkPointSet::SafeDownCast(data.Data);
@@ -308,7 +309,7 @@ void AddCellArray(FuzzData& data)
   data.Data->GetCellData()->AddArray(array);
 }
 
-/// Adds a permutation as global ids of a random type. Unless the data are tame, the array may be
+/// Adds global ids of a random type, in reverse order. Unless the data are tame, the array may be
 /// too short or a floating-point array, which is an error.
 void AddGlobalIds(FuzzRandom& random, FuzzData& data)
 {

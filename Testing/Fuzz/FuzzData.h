@@ -42,7 +42,8 @@ FuzzData MakeTetrahedra(FuzzRandom& random);
 /// Adds a three-component point array `v` as the active vectors, smooth or random.
 void AddVectors(FuzzRandom& random, FuzzData& data);
 
-/// Returns an interval bound at, close to or between values of the array, or an extreme number.
+/// Returns an interval bound that equals a value of the array, is close to one or between two, or
+/// is an extreme number.
 double MakeBound(FuzzRandom& random, vtkDataArray* values);
 
 }

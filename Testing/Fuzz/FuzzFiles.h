@@ -6,8 +6,8 @@
 #include <vector> // for the list
 
 /**
- * Files that a later run of a filter reads. Regardless of the content of such a file, the run must
- * produce the same result as without the file.
+ * Files that a filter writes and that a later run of the filter reads. Regardless of the content of
+ * such a file, the later run must produce the same result as without the file.
  */
 namespace fuzz
 {
@@ -22,7 +22,7 @@ struct FileKind
   std::string (*Try)(const std::string& bytes);
 };
 
-/// Returns the checkpoint of vtkImplicitFlowField and a slab of vtkTimeSlabWriter.
+/// Returns two kinds of files: checkpoints of vtkImplicitFlowField and slabs of vtkTimeSlabWriter.
 const std::vector<FileKind>& GetFileKinds();
 
 }

@@ -13,7 +13,8 @@ namespace fuzz
  * @brief   random choices that are identical on every machine for the same seed
  *
  * SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators",
- * OOPSLA 2014) is used because distributions of the standard library differ between libraries.
+ * OOPSLA 2014) is used because the distributions of the C++ standard library differ between
+ * implementations.
  */
 class FuzzRandom
 {

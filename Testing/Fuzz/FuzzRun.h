@@ -16,7 +16,7 @@ class Check;
 }
 
 /**
- * Expectations that hold for any execution of a filter.
+ * Checks that every execution of a filter must pass.
  */
 namespace fuzz
 {
@@ -37,14 +37,14 @@ private:
   vtkSmartPointer<Window> Collected;
 };
 
-/// Returns a dataset, which may be composite, with all arrays in serialized form.
+/// Serializes a dataset, which may be composite, with all its arrays.
 std::string BytesOf(vtkDataObject* data);
 
-/// Returns all outputs of a filter in serialized form.
+/// Serializes all outputs of a filter.
 std::string BytesOf(vtkAlgorithm* filter);
 
 /**
- * Updates a new filter with one thread and another with three threads. The outputs must be
+ * Executes a new filter with one thread and another with three threads. The outputs must be
  * identical. Every array must have a tuple per point or cell, and all point ids must be valid. If
  * \a isExplained is true, an output without cells requires an error or a warning. Returns the
  * messages.

@@ -16,8 +16,8 @@ namespace fuzz
  * @brief   reports the progress of a run and ends a case that takes too long
  *
  * A separate thread prints a line to the error stream every ten seconds, so that a long case can be
- * identified while it runs. If a case takes longer than the limit, the program prints its arguments
- * and exits with an error.
+ * identified while it runs. If a case takes longer than the limit, the program prints the arguments
+ * of the case and exits with an error.
  */
 class FuzzWatch
 {

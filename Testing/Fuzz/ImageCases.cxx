@@ -265,7 +265,7 @@ void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& chec
   const FuzzData data = MakeTetrahedra(random);
   const auto property = MakeProperty(random);
   const auto camera = MakeCamera(random, data.Data);
-  // Without sorting, the two paths may draw in different orders.
+  // Without sorting, the two render paths may draw in different orders.
   const int sort = random.Integer(0, 2);
   const int integration = random.Integer(0, 1);
   const std::string view = DistortCamera(random, camera);
@@ -333,7 +333,7 @@ void RunShadows(FuzzRandom& random, std::string& text, reference::Check& check)
   mapper->SetInputData(image);
   mapper->SetSoftShadowMethod(method);
   mapper->SetScatteringMode(scattering);
-  // Voxels with an aspect ratio of 1e6 would have 65,536 slices, which take minutes.
+  // By default, extreme voxel aspect ratios would require 65,536 slices, which take minutes.
   mapper->SetSliceSpacing(data.IsTame ? 0.0 : std::max(data.Data->GetLength() / 64.0, 0.0));
   stage.SetVolume(mapper, property);
   const auto camera = MakeCamera(random, data.Data);

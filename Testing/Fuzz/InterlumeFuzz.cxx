@@ -31,7 +31,8 @@ namespace
 
 std::string CurrentCase;
 
-/// Prints the name of the case that a signal ended. Uses only async-signal-safe functions.
+/// Prints the arguments of the current case after a fatal signal. Uses only async-signal-safe
+/// functions.
 void OnSignal(int signal)
 {
   const std::string& name = CurrentCase;
@@ -72,7 +73,7 @@ int main(int argc, char* argv[])
   {
     std::signal(signal, fuzz::OnSignal);
   }
-  // fuzz::Messages collects logged messages.
+  // Logged messages are not printed because fuzz::Messages collects them.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   reference::Check check;
   fuzz::FuzzWatch watch(limit);

@@ -160,7 +160,7 @@ void CheckPoints(vtkUnstructuredGrid* grid, reference::Check& check)
     std::to_string(nonFinite) + " points are not finite");
 }
 
-/// Checks that the interval of all values has the volume of the mesh, and that two adjacent
+/// Checks that an interval that covers all values has the volume of the mesh, and that two adjacent
 /// intervals together have the same volume.
 void CheckVolumes(vtkDataSet* data, FuzzRandom& random, reference::Check& check)
 {
@@ -181,7 +181,7 @@ void CheckVolumes(vtkDataSet* data, FuzzRandom& random, reference::Check& check)
   const auto full = volume({ { range[0], range[1] } });
   const double expected = static_cast<double>(reference::MeshVolume(data));
   check.Near(static_cast<double>(full.Sum), expected, 1e-10, "volume of the full range", 1e-300);
-  // A zero-width interval would count the cells at that value twice.
+  // With an interval of zero width, cells of that constant value would be counted twice.
   if (range[0] < bound && bound < range[1])
   {
     const auto parts = volume({ { range[0], bound }, { bound, range[1] } });

@@ -109,7 +109,7 @@ public:
     }
     const int surfacePanels = scene.at("surface_panels");
     const int occlusionPanels = scene.at("occlusion_panels");
-    // Unshaded drawings and shadowed surfaces may lack ambient occlusion, too.
+    // Unshaded drawings and surfaces with shadows may also lack ambient occlusion.
     const bool isOcclusionOptional =
       has("slices") || has("scene-shadows") || this->Scene == "penumbra-analysis";
     const bool isOcclusionOff = WITHOUT_OCCLUSION.count(this->Scene) > 0;

@@ -29,7 +29,8 @@ bool Expect(bool holds, const std::string& what)
   return holds;
 }
 
-/// Returns the number of pixels of one half that differ by more than \a tolerance in a channel.
+/// Returns the number of pixels in the left or right half that differ by more than \a tolerance in
+/// a channel.
 int CountChanges(vtkImageData* one, vtkImageData* other, bool isRight, int tolerance)
 {
   int changes = 0;

@@ -51,8 +51,8 @@ bool IsWithinPixelBounds(vtkImageData* image, const std::string& baseline)
 
 /// Compares an image with the baseline, then with the alternatives `<id>_1.png` and so on, as VTK's
 /// tests do. A scene has an alternative for each combination of VTK and Mesa whose noise differs
-/// visibly. The noise of vtkSSAOPass repeats across the window a whole number of times in VTK 9.1,
-/// but not in newer versions. Textured edges of lines depend on Mesa's choice of mipmap levels.
+/// visibly. In VTK 9.1, a whole number of tiles of vtkSSAOPass noise spans the window, but not in
+/// newer versions. The edges of textured lines depend on Mesa's choice of mipmap levels.
 bool IsWithinPixelBoundsOfAny(vtkImageData* image, const std::string& baseline)
 {
   bool isWithin = IsWithinPixelBounds(image, baseline);

@@ -94,8 +94,8 @@ int TestModels(int, char*[])
     }
   }
   check.SetContext("");
-  // Expected volume of the rounded box: three pairs of slabs, quarter cylinders along the edges,
-  // and one sphere, an eighth of it at each corner.
+  // Expected volume of the rounded box: the inner box, three pairs of slabs, quarter cylinders
+  // along the edges, and an eighth of a sphere at each corner.
   const double r = 0.1;
   const double pi = vtkMath::Pi();
   double found = 0.0;

@@ -128,8 +128,8 @@ std::string Print(vtkObject* object)
   return text.str();
 }
 
-/// Values that PrintSelf does not print: values per id or layer are printed only if they are set,
-/// and information keys belong to a prop.
+/// Values that PrintSelf need not print. Values per surface id are printed only if they are set.
+/// The values of vtkShadowedScenePass are information keys of props.
 const std::set<std::string> NotPrinted = { "vtkInflowMapping::Formula", "vtkInflowMapping::Image",
   "vtkShadowedScenePass::CastsShadows", "vtkShadowedScenePass::CastsShadowsWhenInvisible",
   "vtkShadowedScenePass::ReceivesShadows" };

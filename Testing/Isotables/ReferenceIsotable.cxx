@@ -34,7 +34,8 @@ std::multiset<OrientedSimplex> PullExactly(
   const int n = static_cast<int>(cell.Vertices.size());
   const int m = static_cast<int>(cell.Edges.size());
   const Polytope lifted = isInterval ? cell.Prism() : cell;
-  // The lifted cell has the lower cell's edges, the upper cell's edges and then the vertical edges.
+  // The lifted cell's edges are those of the lower copy, those of the upper copy, and the vertical
+  // edges.
   const auto toSlot = [=](int edge) { return edge < 2 * m ? n + edge : edge - 2 * m; };
   std::vector<int> ranks;
   for (std::size_t e = 0; e < lifted.Edges.size(); ++e)

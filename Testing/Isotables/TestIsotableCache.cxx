@@ -65,7 +65,8 @@ Cuts PullExactly(const SpaceTimeTable& cache, std::uint32_t key, const VertexRan
   return reference::PullExactly(cache.GetCell(), true, key, { ranks.begin(), ranks.end() });
 }
 
-// Returns a case key with random digits, with two random digit values, or with most digits equal.
+// Returns a case key with random digits, depending on the round: any digits, only 0 and 1, only 1
+// and 2, or mostly 1 and 2.
 std::uint32_t MakeKey(int numberOfVertices, int round, std::mt19937& random)
 {
   std::uint32_t key = 0;
@@ -128,7 +129,7 @@ void TestSlotRanks(const SpaceTimeTable& cache, reference::Check& check)
   }
 }
 
-// The expected numbers are sums over the exact triangulations of all cases.
+// The expected numbers are from the exact triangulations of all cases.
 void TestTetrahedron(reference::Check& check)
 {
   SpaceTimeTable& cache = SpaceTimeTable::Get(vtkIsotable::TETRAHEDRON);
@@ -168,7 +169,8 @@ void TestFrustum(reference::Check& check)
 void TestStatistics(reference::Check& check)
 {
   SpaceTimeTable cache(Polytope::Simplex(3).Prism());
-  // All vertices are below except one. Symmetries map these 8 cases onto each other.
+  // In these 8 cases, one vertex is inside the interval and all others are below. Symmetries map
+  // the cases onto each other.
   std::vector<std::uint32_t> keys{ 1 };
   while (keys.size() < 8)
   {

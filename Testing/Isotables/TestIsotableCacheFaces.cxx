@@ -26,7 +26,7 @@ namespace
 using Slot = SpaceTimeTable::Slot;
 using Shapes = vtkIsotable::Shapes;
 
-// A face of a cell. Vertices[i] is the cell vertex at face vertex i.
+// A face of a cell. Vertices[i] is the cell vertex that is vertex i of the face.
 struct Face
 {
   std::string Name;
@@ -34,7 +34,8 @@ struct Face
   std::vector<int> Vertices;
 };
 
-// Vertices of cubes are listed row by row; vertices of prisms triangle by triangle.
+// Returns a list of cubic faces and a list of prismatic faces of cells extruded in time. The
+// vertices of cubes are in voxel order, those of prisms triangle by triangle.
 std::vector<std::vector<Face>> GetFaces()
 {
   using Table = vtkIsotable;
@@ -59,7 +60,8 @@ std::vector<std::vector<Face>> GetFaces()
 using FacePoint = std::array<int, 3>;
 using Tetrahedra = std::set<std::vector<FacePoint>>;
 
-// Returns the tetrahedra on the face, which are the tetrahedra that belong to exactly one simplex.
+// Returns the tetrahedra on the face: those whose points lie on the face and that belong to exactly
+// one simplex.
 Tetrahedra FindTetrahedra(const SpaceTimeTable& cache, const SpaceTimeTable::Case& what,
   const SpaceTimeTable::RankArray& ranks, const Face& face)
 {
@@ -136,8 +138,8 @@ public:
   }
 
 private:
-  // Cuts a cell whose other vertices have random digits and ranks between and around the ranks of
-  // the face.
+  // Cuts a cell. Vertices that are not on the face have random digits and a random position in the
+  // vertex order.
   Tetrahedra Cut(const Face& face)
   {
     SpaceTimeTable& cache = SpaceTimeTable::Get(face.Shape);

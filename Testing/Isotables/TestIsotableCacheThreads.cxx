@@ -22,8 +22,8 @@ namespace
 
 using CaseList = std::vector<const SpaceTimeTable::Case*>;
 
-// Returns random keys. Each is followed by its mirror image in time, which has the same kind, and
-// some keys are repeated.
+// Returns random keys. Each is followed by its mirror image in time, which is a case of the same
+// kind, and by a repeated key.
 std::vector<std::uint32_t> MakeKeys()
 {
   std::mt19937 random(29);

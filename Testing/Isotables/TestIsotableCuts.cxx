@@ -93,7 +93,8 @@ std::set<std::vector<std::array<int, 3>>> GetFacesOn(const vtkIsotable& table, i
   {
     if (entry.second == 1)
     {
-      // Faces in an isosurface bound the interval and do not belong to the facet.
+      // A triangle whose points are all on one isosurface bounds the interval and is not part of
+      // the facet.
       const bool isSurface = entry.first[0][0] != 0 && entry.first[0][0] == entry.first[2][0];
       if (!isSurface)
       {
@@ -104,7 +105,8 @@ std::set<std::vector<std::array<int, 3>>> GetFacesOn(const vtkIsotable& table, i
   return faces;
 }
 
-// Quadrilateral faces of three cell shapes, with vertices in cyclic order.
+// Compares the triangles on a quadrilateral face shared by cells of three shapes. Cycle lists the
+// vertices of the face in cyclic order.
 bool TestSharedQuadrilateral(std::mt19937& random)
 {
   struct Side
@@ -126,7 +128,7 @@ bool TestSharedQuadrilateral(std::mt19937& random)
     {
       const vtkIsotable& table = vtkIsotable::Get(vtkIsotable::INTERVAL, side.Shape);
       const int n = table.GetNumberOfVertices();
-      // The other vertices have random digits and ranks between and around the ranks of the face.
+      // Vertices that are not on the face have random digits and a random position in the order.
       std::vector<double> orders(n);
       std::vector<int> all(n);
       for (int v = 0; v < n; ++v)

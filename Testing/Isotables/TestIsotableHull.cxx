@@ -49,7 +49,8 @@ std::int64_t GetDeterminant(std::vector<std::vector<std::int64_t>> m)
   return sum;
 }
 
-// Returns a normal of the plane through the subset, or zero if the subset does not span a plane.
+// Returns a normal of the hyperplane through a subset of the points, or zero if the subset does not
+// span a hyperplane.
 std::vector<std::int64_t> GetNormal(
   int dimension, const Points& points, const std::vector<int>& subset)
 {
@@ -84,7 +85,7 @@ std::int64_t GetHeight(int dimension, const Normal& normal, const Point& p, cons
   return height;
 }
 
-// Facets as sorted point indices.
+// A set of facets, each given by the sorted indices of its points.
 using FacetSet = std::set<std::vector<int>>;
 
 FacetSet FindFacets(int dimension, const Points& points)
@@ -160,7 +161,7 @@ int TestIsotableHull(int, char*[])
         std::to_string(dimension) + " dimensions, coordinates to " + std::to_string(largest));
       for (int round = 0; round < 20; ++round)
       {
-        // Some point sets have too few points for a facet.
+        // Some point sets have too few points for a full-dimensional hull.
         Points points(dimension + random() % 6);
         for (Point& p : points)
         {

@@ -53,7 +53,8 @@ std::vector<Cell> GetCells()
     { "frustum x time", MakeFrustum().Prism(), 16, 8 } };
 }
 
-// The least-squares affine map of all vertices, from Gaussian elimination of the normal equations.
+// The affine map that maps the vertices of a cell to their images under a symmetry, fitted by least
+// squares. The normal equations are solved by Gaussian elimination.
 class AffineMap
 {
 public:

@@ -141,8 +141,8 @@ std::uint64_t Digest(const vtkIsotable& table)
   return digest;
 }
 
-// The tables equal the tables built from the hull of each case, including the order, which
-// determines the order of filter output.
+// The tables equal tables built from the convex hull of each case, including the order of
+// simplices, which determines the order of the filters' output cells.
 void TestDigests()
 {
   const struct
@@ -163,7 +163,7 @@ void TestDigests()
 
 void TestHulls()
 {
-  // The 24-cell has 24 octahedra.
+  // The facets of the 24-cell are 24 octahedra.
   std::vector<Polytope::Point> points;
   for (int a = 0; a < 4; ++a)
   {
@@ -197,7 +197,7 @@ void TestHulls()
     "an interior point is rejected");
 }
 
-// Tables of cells that a user defines by vertices.
+// Tests tables of cells that are defined by a list of vertices.
 void TestVertices()
 {
   using Vertices = std::vector<std::array<int, 3>>;

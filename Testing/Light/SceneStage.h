@@ -64,7 +64,7 @@ public:
   /// Returns the x coordinate between \a from and \a to at which the first channel crosses \a
   /// level, along the horizontal line at \a y. Interpolates linearly between pixels.
   double FindEdge(const RgbaImage& image, double from, double to, double y, double level) const;
-  /// Points the camera at the origin, along a direction.
+  /// Points the camera at the origin, with the view direction \a direction.
   void LookAlong(const std::array<double, 3>& direction);
 
   vtkInterlumeReport* GetReport() const { return this->Pass->GetReport(); }

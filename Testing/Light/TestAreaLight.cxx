@@ -133,7 +133,7 @@ void CheckNear(Check& check, const double* found, const glm::dvec3& expected, co
     std::max(glm::length(expected), 1.0));
 }
 
-// Checks the emitter of a light along -z, and of a light that a transform rotates to -x.
+// Checks the emitter of a light that points along -z, and after a transform rotates it to -x.
 void CheckPositions(Check& check)
 {
   vtkNew<vtkAreaLight> light;

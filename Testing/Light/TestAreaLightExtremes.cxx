@@ -33,7 +33,7 @@ const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 /// loops.
 constexpr int Samples = 2;
 
-/// Returns two boxes, one in the shadow of the other, without gradient shading.
+/// Returns a scene of two boxes, one in the shadow of the other, without gradient shading.
 ShadowScene BoxScene()
 {
   auto scene = MakeScene(MakeImage(16, TwoBoxes), MakeSoftProperty(0.4, false));
@@ -41,7 +41,7 @@ ShadowScene BoxScene()
   return scene;
 }
 
-/// Returns a round light at a position, aimed at the origin, without a cone or attenuation.
+/// Returns a round light at a position, aimed at the origin, without a spot cone or attenuation.
 vtkSmartPointer<vtkAreaLight> MakeAreaLight(const Double3& position, double size)
 {
   auto light = vtkSmartPointer<vtkAreaLight>::New();
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(const Double3& position, double size
   return light;
 }
 
-/// Returns the scene with one point light per sample of its area light.
+/// Returns a copy of a scene, lit by one light per sample of an area light.
 ShadowScene WithSamples(const ShadowScene& scene, vtkAreaLight* area, int count)
 {
   ShadowScene sampled = scene;
@@ -81,8 +81,8 @@ public:
     this->Catalogue.SetClass("vtkAreaLight");
   }
 
-  /// Compares the mapper's frame with the reference frame, which has one point light per sample.
-  /// The mapper uses sample layers if the light supports them.
+  /// Compares the mapper's frame with the reference frame, which has one light per sample. The
+  /// mapper uses SAMPLE_LAYERS, or SAMPLED_LIGHTS if the light is too close or too large.
   void Measure(
     const std::string& name, const std::string& extreme, vtkAreaLight* area, double bound = 6e-4)
   {
@@ -101,7 +101,7 @@ public:
     RgbaImage found = DrawByMapper(mapper, scene);
     if (mapper->GetReport()->GetNumber("AreaLightsWithHardShadows") > 0)
     {
-      // The light is too close or too large for layers.
+      // The light is too close or too large for SAMPLE_LAYERS.
       mapper->SetSoftShadowMethodToSampledLights();
       found = DrawByMapper(mapper, scene);
     }
@@ -146,7 +146,6 @@ void TestPositions(AreaTable& table)
   light->SetSize(1.0, 0.0);
   table.Measure("area-line", "a light without height", light);
 
-  // Position of the camera of BoxScene().
   Double3 camera;
   BoxScene().Camera->GetPosition(camera.data());
   table.Measure("area-at-eye", "a light around the camera", MakeAreaLight(camera, 0.5));

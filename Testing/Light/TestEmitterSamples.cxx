@@ -59,7 +59,7 @@ void CheckWeights(Check& check, const Samples& samples)
   check.That(isPositive, "no weight is below 0");
 }
 
-// Returns the mean of f over the samples, weighted by a channel.
+// Returns the weighted mean of f over the samples, with the weights of a color channel.
 double GetMean(
   const Samples& samples, int channel, const std::function<double(const glm::dvec2&)>& f)
 {
@@ -115,9 +115,9 @@ void CheckMoments(Check& check)
   }
 }
 
-// If the number N of samples is a power of 2, each cell of a grid of N cells contains one sample,
-// for any power of 2 as the number of columns. For any N, each of N columns contains one sample,
-// and no two samples have the same x or y.
+// If the number N of samples is a power of 2, every grid of N cells whose number of columns is a
+// power of 2 has one sample in each cell. For any N, each of N columns contains one sample, and no
+// two samples have the same x or y.
 void CheckStrata(Check& check)
 {
   for (const int count : { 2, 3, 8, 10, 32, 77, 256 })
@@ -150,7 +150,7 @@ void CheckStrata(Check& check)
   }
 }
 
-// Compares the fraction of disk samples on one side of a rotated line with the segment's area.
+// Compares the fraction of samples in segments of a disk with the segments' relative area.
 void CheckSegments(Check& check)
 {
   double largest = 0.0;
@@ -201,7 +201,7 @@ void CheckImages(Check& check)
   {
     const Samples samples = EmitterSamples::Make(false, &rampGrid, count);
     CheckWeights(check, samples);
-    // The center of red is the integral of x (1/2 + x), divided by the integral of 1/2 + x.
+    // The centroid of red is the integral of x (1/2 + x), divided by the integral of 1/2 + x.
     check.Near(GetMean(samples, 0, X), 1.0 / 6.0, 0.3 / count + 1e-3, "center of red", 1.0);
     check.Near(GetMean(samples, 1, X), -1.0 / 6.0, 0.3 / count + 1e-3, "center of green", 1.0);
     check.Near(GetMean(samples, 2, Y), 0.4 / 12.0 / 0.3, 0.5 / count + 1e-3,
@@ -304,8 +304,8 @@ void CheckCachedColors(Check& check)
   areEqual("no image");
 }
 
-// The light sources that replace an area light have the positions of its samples, and their colors
-// add up to the light's color.
+// The light sources that replace an area light have the positions or directions of its samples, and
+// their colors add up to the light's color.
 void CheckSources(Check& check)
 {
   check.SetContext("sources");

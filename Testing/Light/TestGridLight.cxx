@@ -26,7 +26,7 @@ using namespace reference;
 using interlume::ExtinctionGrid;
 using interlume::LightSource;
 
-/// A cube of cells with the value 1.
+/// A cubic volume whose cells have the value 1, with its extinction grid.
 struct Cube
 {
   explicit Cube(int size)
@@ -67,7 +67,7 @@ double GetFormula(const LightSource& light, const glm::dvec3& position)
   return cosine < light.ConeCosine ? 0.0 : std::pow(cosine, light.Exponent) / attenuation;
 }
 
-/// The mean light in a cell. IsCut is true if the boundary of the cone intersects the cell.
+/// The mean light in a cell. IsCut is true if the boundary of the light's cone intersects the cell.
 struct CellMean
 {
   double Mean = 0.0;

@@ -38,7 +38,7 @@ Difference Compare(const RgbaImage& found, const RgbaImage& expected)
   return difference;
 }
 
-// Smoke behind, around and in front of dark actors. The camera looks straight down or obliquely.
+// A layer of smoke, a dark sphere in front of the smoke, and a dark plate that is partly inside it.
 struct Scene
 {
   Scene()

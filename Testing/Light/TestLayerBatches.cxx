@@ -42,7 +42,7 @@ int CountTriangles(const LayerBatches& batches, std::size_t batch, const glm::dv
   return count;
 }
 
-// A grid of blocks, some of them empty, seen along z.
+// Tests a grid of blocks, some of them empty. The light shines along z.
 void CheckColumn(Check& check)
 {
   const interlume::UnitSpace space = MakeUnitSpace({ { 33, 33, 33 } }, { { 1.0, 1.0, 1.0 } });
@@ -55,10 +55,10 @@ void CheckColumn(Check& check)
     }
   }
   std::vector<unsigned char> visible(64, 0);
-  // Blocks end slightly before tiles do, so that their borders extend into the next tile.
+  // Blocks end slightly before tiles do, so that the border for interpolation is in the next tile.
   borders[0] = { 0.0, 0.24, 0.49, 0.75, 1.0 };
   borders[1] = borders[0];
-  // One block where the light enters, and a larger block where it exits.
+  // One block is visible where the light enters the volume, and four blocks where it exits.
   visible[0] = 1;
   for (const int block : { 48, 49, 52, 53 })
   {
@@ -121,8 +121,8 @@ void CheckColumn(Check& check)
   check.Equal(batches.Get().size(), 1, "batches of all slabs");
   check.Equal(batches.GetVertices().size(), 4 * 18, "vertex coordinates of four rows");
 
-  // The divergence of a small light's shadows is divided into at least twenty batches. Near a point
-  // light, batches are short.
+  // The divergence of a small light's shadows is divided among at least twenty batches. Near a
+  // positional light, batches are short.
   check.SetContext("a small light");
   light.Divergence = 12.0 / (64.0 * sweep.Spacing);
   batches.Build(sweep, light, { &polygons }, true);

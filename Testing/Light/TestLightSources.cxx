@@ -27,7 +27,7 @@ using namespace interlume::UnitVector;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Returns the unit space of a volume with edges of length 10 around (100, 0, 0).
+// Returns the unit space of a cubic volume with edges of length 10, centered at (100, 0, 0).
 interlume::UnitSpace MakeSpace()
 {
   vtkNew<vtkImageData> image;
@@ -164,7 +164,7 @@ void CheckValues(Check& check)
 void CheckShadows(Check& check)
 {
   Scene scene;
-  // The brightnesses are 0.5, 2, 1, 1 and 0.
+  // With the colors set below, the brightnesses are 0.5, 2, 1, 1 and 0.
   const double intensities[5] = { 0.5, 2.0, 1.0, 1.0, 3.0 };
   std::vector<vtkLight*> lights;
   for (const double intensity : intensities)
@@ -242,8 +242,8 @@ void CheckProjective(Check& check)
   }
 }
 
-// Compares the emitter's axes in unit space with samples in world space. A light without extent is
-// treated as a vtkLight.
+// Compares emitter samples computed in unit space with the samples of the vtkAreaLight in world
+// space. An area light of size 0 is treated as a vtkLight.
 void CheckArea(Check& check)
 {
   for (const int type :

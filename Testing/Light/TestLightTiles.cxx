@@ -17,7 +17,6 @@ namespace
 using namespace reference;
 using namespace interlume::UnitVector;
 
-// Converts an array to a GLM vector.
 glm::dvec3 ToVector(const std::array<double, 3>& a)
 {
   return glm::make_vec3(a.data());
@@ -56,7 +55,7 @@ Scene MakeScene(Random& random, double fraction, double distance)
   }
   scene.Position = distance * ToVector(random.GetDirection());
   scene.Sweep.Normal = ToVector(random.GetDirection());
-  // The volume is inside the sphere of radius 1.
+  // The sweep ends at distance 1 along its normal, since the volume is inside the unit sphere.
   scene.Sweep.First = glm::dot(scene.Position, scene.Sweep.Normal);
   scene.Sweep.Slabs = 40;
   scene.Sweep.Spacing = std::max(1.0 - scene.Sweep.First, 0.0) / scene.Sweep.Slabs;

@@ -66,8 +66,9 @@ float ValueOf(
   return table.Colors[4 * (row * Columns + column) + channel];
 }
 
-/// Returns the value of a table at a scalar, as the shader computes it. Returns three channels if
-/// \a first is 0 and texels have several values (\a stride), otherwise one channel.
+/// Returns the value of a table at the scalar \a x, as the shader computes it. A texel has
+/// \a stride channels. If \a stride is above 1 and \a first is 0, returns the first three channels,
+/// otherwise only channel \a first.
 std::array<double, 3> Sample(const interlume::MaterialTable& table,
   const std::vector<float>& values, const std::vector<int>& bends,
   const std::vector<std::array<float, 2>>& edges, std::size_t first, std::size_t stride,
@@ -83,8 +84,8 @@ std::array<double, 3> Sample(const interlume::MaterialTable& table,
   {
     const float* list = &table.Bends[4 * static_cast<std::size_t>(bends[left])];
     const auto pieces = static_cast<std::size_t>(list[0]);
-    // A texel holds two nodes of a piece with one channel, or one node of a piece with three
-    // channels.
+    // With one channel, a texel stores both nodes of a piece. With three channels, it stores one
+    // node.
     const std::size_t end = channels == 1 ? 1 : 4;
     std::size_t piece = 1;
     while (piece < pieces && list[4 * piece + end] <= offset)
@@ -112,9 +113,9 @@ std::array<double, 3> Sample(const interlume::MaterialTable& table,
   return result;
 }
 
-/// Returns the allowed opacity error. Some versions of VTK draw a sharpness of 1 as a curve. If the
-/// midpoint is off center, the slope changes so much within one column that
-/// interlume::TransferColumns has a larger error.
+/// Returns the allowed opacity error. For a sharpness of 1, some versions of VTK evaluate a curve
+/// instead of a step. If the midpoint is off center, the slope then changes so much within one
+/// column that interlume::TransferColumns has a larger error.
 double GetOpacityBound(vtkPiecewiseFunction* opacity)
 {
   std::array<double, 4> first{};
@@ -127,8 +128,8 @@ double GetOpacityBound(vtkPiecewiseFunction* opacity)
   return isBent ? 5e-3 : 2e-3;
 }
 
-/// Checks that a function with one node does not limit the range, regardless of the memory next to
-/// the node.
+/// Checks that a function with one node does not limit the range, regardless of the values in
+/// memory next to the node.
 void CheckSingleNode(Check& check)
 {
   check.SetContext("one node");
@@ -257,7 +258,7 @@ void CheckShapes(Check& check)
   measure("colors outside the range", opacity, color);
 }
 
-/// The extinction is -ln(1 - opacity) per unit distance. The opacity is linear.
+/// Checks that the extinction is -ln(1 - opacity) per unit distance, for a linear opacity function.
 void CheckExtinction(Check& check)
 {
   const interlume::VolumeSamples samples = MakeSamples({ { { -2.0, 3.0 } } });
@@ -268,12 +269,12 @@ void CheckExtinction(Check& check)
     const auto ramp = MakeRamp(-2.0, 0.0, 3.0, 1.0);
     property->SetScalarOpacity(ramp);
     property->SetScalarOpacityUnitDistance(unit);
-    // Component weights apply to several components only.
+    // The weight of a single component has no effect.
     property->SetComponentWeight(0, 0.5);
     interlume::MaterialTable table;
     check.That(!table.Build(property, samples, nullptr), "no error");
     check.That(table.Kind == interlume::MaterialTable::INDEPENDENT && table.Rows == 1, "one row");
-    // The default color function of the property has the range 0 to 1024.
+    // The default color function has the range 0 to 1024, which is limited to the data range.
     check.That(table.ColorRange[0] == Range{ { 0.0, 3.0 } }, "range of the colors");
     check.That(table.OpacityRange[0] == Range{ { -2.0, 3.0 } }, "range of the opacity");
     check.Equal(static_cast<long long>(table.Colors.size()), 4 * Columns, "values");
@@ -429,7 +430,8 @@ void CheckTransmission(Check& check)
   check.That(!table.Build(property, two, transmission), "color and opacity are valid");
 }
 
-/// Checks the bounds of a function with steps, gaps, and peaks narrower than a column.
+/// Checks the upper bounds of the extinction for a function with peaks, some of them narrower than
+/// a column, and for a ramp.
 void CheckLargest(Check& check)
 {
   check.SetContext("the largest extinction");

@@ -26,7 +26,7 @@ constexpr int SAMPLES = 100000;
 constexpr double LARGEST = 0.8;
 constexpr double LABEL = 0.3;
 
-/// A part of the samples, with a normal distribution.
+/// Normally distributed samples that are a fraction of all samples.
 struct Part
 {
   double Fraction;
@@ -58,7 +58,7 @@ Values Round(Values values, double smallest, double largest)
   return values;
 }
 
-/// Estimates opacity from a histogram of values. Non-finite values do not affect its range.
+/// Estimates opacity from a histogram of values. The histogram's range excludes non-finite values.
 Points Estimate(const Values& values, bool areIntegers)
 {
   double range[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
@@ -96,7 +96,8 @@ double Evaluate(const Points& points, double value)
   return points.back().Opacity;
 }
 
-/// Checks the order of the points, their opacities, and the fraction of the values that is shown.
+/// Checks the order of the points, their largest opacity, and the fraction of values with a nonzero
+/// opacity.
 void CheckPoints(Check& check, const Points& points, const Values& values)
 {
   check.That(points.size() >= 2, "has points");
@@ -150,7 +151,8 @@ void CheckScans(Check& check)
                { return a.Value == b.Value && a.Opacity == b.Opacity; }),
     "ignored");
 
-  // Padding outside the scanned circle is a higher peak than air in the second scan.
+  // Samples outside the scanned circle are padding. In the second scan, more samples are padding
+  // than air.
   for (const double padding : { 0.15, 0.35 })
   {
     check.SetContext("16 bits, " + std::to_string(padding) + " of the samples are padding");

@@ -13,7 +13,8 @@ namespace
 
 using namespace reference;
 
-// A light of side L, parallel to a half plane at distance Z, casts a penumbra of width L dZ / Z.
+// A light of size L at the distance Z from a parallel half plane casts a penumbra of width L dZ / Z
+// at the distance dZ behind the half plane.
 void CheckParallel(Check& check)
 {
   constexpr double edge = 0.6;
@@ -79,7 +80,7 @@ void CheckSamples(Check& check)
         light->SetViewUp(0.3, 1.0, 0.1);
         const std::vector<vtkAreaLight::Sample> samples = light->GetSamples(count);
 
-        // The emitter's axes, computed from the definitions of right and up.
+        // Computes the emitter's axes independently, from the light's direction and up vector.
         const glm::dvec3 forward = glm::normalize(-center);
         const glm::dvec3 up(0.3, 1.0, 0.1);
         const glm::dvec3 above = glm::normalize(up - glm::dot(up, forward) * forward);

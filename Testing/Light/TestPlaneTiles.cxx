@@ -89,7 +89,6 @@ bool Build(const Scene& scene, interlume::PlaneTiles& tiles)
     scene.Space, scene.Space.Box, Margin);
 }
 
-// Returns pixel coordinates of a position.
 glm::dvec2 GetPixel(const Scene& scene, const glm::dvec3& position)
 {
   const glm::dvec4 clip = scene.ClipFromUnit * glm::dvec4(position, 1.0);
@@ -199,7 +198,7 @@ void CheckPositions(Check& check, const Scene& scene, Random& random, int& seen)
   }
 }
 
-// Empty blocks have no tiles, and the tiles of a single block extend little past it.
+// Empty blocks have no tiles, and the tiles of a single block extend only slightly past it.
 void CheckAreas(Check& check)
 {
   check.SetContext("areas");

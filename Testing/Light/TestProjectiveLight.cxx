@@ -98,8 +98,8 @@ std::array<double, 4> Project(vtkMatrix4x4* matrix, const glm::dvec3& point)
   return to;
 }
 
-// Checks that points on a ray of the light are projected to the ray's point on the screen. Rays
-// start at the light's position or are parallel to its axis.
+// Checks that all points on a ray of the light are projected to the same position on the screen.
+// Rays start at the light's position or are parallel to its axis.
 void CheckMatrix(Check& check, vtkProjectiveLight* light, const glm::dvec3& position,
   const glm::dvec3& focalPoint, const glm::dvec3& up, double scale)
 {
@@ -196,7 +196,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int type, int components)
   return image;
 }
 
-// Returns sample (i,j), clamped to the edge, multiplied by the opacity.
+// Returns sample (i,j) of the image, clamped to the edge and multiplied by the opacity.
 double GetSample(int i, int j, int channel, int components)
 {
   const int index = 3 * std::min(std::max(j, 0), 1) + std::min(std::max(i, 0), 2);

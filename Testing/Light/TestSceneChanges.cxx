@@ -43,8 +43,8 @@ struct State
   double Bias = 1.0;
 };
 
-// A scene that is rendered in a given state. It is either reused for many states or created for one
-// state.
+// A scene that can be drawn in any state. The test compares a scene that is reused for many states
+// with a new scene for each state.
 class Scene
 {
 public:

@@ -148,8 +148,8 @@ void TestProjectors(Check& check)
   }
 }
 
-// A plate shadows part of a floor under a light with an image. The shadowed part is black, and the
-// rest of the floor is unchanged.
+// A plate casts a shadow on a floor lit by a projected image. The floor outside the shadow is
+// unchanged.
 void TestShadow(Check& check)
 {
   const auto light = MakeProjector(false, 4);

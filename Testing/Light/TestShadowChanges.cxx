@@ -59,7 +59,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeStepProperty(double haze)
   return property;
 }
 
-/// A scene that changes, with its mapper and window.
+/// A scene that can be changed at random, with its mapper and window.
 class ChangingScene
 {
 public:

@@ -252,7 +252,8 @@ void TestUploads(Check& check)
   const ReportCopy first = CopyReport(mapper->GetReport());
   check.That(first->GetNumber("UploadedBytes") > 21 * 21 * 21, "the volume is uploaded");
   check.That(first->GetNumber("TextureBytes") > 21 * 21 * 21, "the uploaded textures are retained");
-  // After a change of the view or a light, slices are uploaded, but textures are not.
+  // Drawing the same frame again uploads nothing. After changing the view or a light, slices are
+  // uploaded, but textures are not.
   const auto expectNothing = [&](const std::string& name, bool isSame = true)
   {
     stage.Render();

@@ -31,7 +31,7 @@ namespace
 
 using namespace reference;
 
-/// Bound for homogeneous media, whose opacity is exact for any slice spacing.
+/// Error bound for homogeneous media, whose opacity is exact for any slice spacing.
 constexpr ImageBound Exact = { 2e-5, 2e-6 };
 constexpr ImageBound Similar = { 1e-5, 1e-6 };
 
@@ -41,7 +41,7 @@ struct Axes
   std::array<double, 9> Matrix;
 };
 
-/// Returns direction matrices: identity, rotation, rotation with reflection, permuted axes, one
+/// Returns direction matrices: identity, rotation, rotation with reflection, permuted axes, and one
 /// reversed axis.
 std::vector<Axes> GetAxes()
 {
@@ -52,7 +52,7 @@ std::vector<Axes> GetAxes()
     { "reversed", { { -1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } } } };
 }
 
-/// Returns a vtkImageData with samples of a field around a center, and with a direction matrix.
+/// Returns samples of a field in a vtkImageData with a direction matrix, centered at \a center.
 vtkSmartPointer<vtkImageData> MakeOrientedImage(
   const Axes& axes, const Field& field, const Double3& center = { { 0.0, 0.0, 0.0 } })
 {
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkImageData> MakeOrientedImage(
   return image;
 }
 
-/// Returns a homogeneous medium without lighting.
+/// Returns a scene of a homogeneous medium without lighting.
 ShadowScene MakeHomogeneous(vtkImageData* image, bool isParallel)
 {
   auto scene = MakeHomogeneousScene(2, 1.5);
@@ -89,7 +89,7 @@ double One(const Double3&)
   return 1.0;
 }
 
-/// Compares a scene with the reference. Slices are three voxels thick.
+/// Compares a scene with the reference, for slices that are about three voxels thick.
 void ExpectExact(
   Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound = Exact)
 {
@@ -137,15 +137,16 @@ void TestSubvolume(Check& check)
     vtkNew<vtkShadowedSliceMapper> clipping;
     const RgbaImage clipped = DrawByMapper(clipping, lit);
     check.That(LargestAlpha(cropped) > 0.5, "the cropped image is not empty");
-    // For an axis-aligned vtkImageData, cropping fits the slices to the smaller box, so frames
-    // differ slightly.
+    // For an axis-aligned vtkImageData, slices are fitted to the cropped box, so frames differ
+    // slightly.
     const bool isOblique = axes.Matrix[0] == 0.8;
     ExpectSimilar(check, "same as clipping planes, " + axes.Name, cropped, clipped,
       isOblique ? Similar : ImageBound{ 0.03, 2e-4 });
   }
 }
 
-/// Compares a volume cropped at its samples with a vtkImageData of only these samples.
+/// Compares a volume cropped at sample positions with a vtkImageData of only the samples that
+/// remain.
 void TestExtracted(Check& check)
 {
   for (const Axes& axes : GetAxes())
@@ -183,8 +184,8 @@ void TestExtracted(Check& check)
   }
 }
 
-/// Checks cropping regions with gaps, for predefined and random flags, near the origin and far
-/// away.
+/// Checks cropping regions with gaps, for predefined and random flags, near the origin and far from
+/// it.
 void TestGaps(Check& check)
 {
   Random random(12);
@@ -262,8 +263,8 @@ void TestCameraPlanes(Check& check)
     scene.ClippingPlanes = { plane.Get() };
     expect("both planes and a clipping plane", -0.21, 0.07);
 
-    // Lit scenes: a medium of low density, and an opacity step whose slabs are treated as optically
-    // thick.
+    // Tests lit scenes: a medium of low density, and an opacity step whose slabs are treated as
+    // optically thick.
     for (const bool isThick : { false, true })
     {
       auto lit = MakeScene(

@@ -39,7 +39,7 @@ void ToShorts(vtkImageData* image)
   image->GetPointData()->SetScalars(shorts);
 }
 
-/// A sphere with values from 0 to 255, which are constant near the center.
+/// Returns a scene with a sphere whose values are 0 outside and increase to 255 near the center.
 ShadowScene SphereScene(bool shade)
 {
   const Field sphere = MakeSphere(0.1, 0.45);
@@ -102,7 +102,7 @@ ShadowScene GentleScene(vtkVolumeProperty* property)
   return scene;
 }
 
-/// Compares a frame with the reference. Both use thin slabs, so slab thickness has no effect.
+/// Compares a frame with the reference. Both use slabs so thin that their thickness has no effect.
 void ExpectThin(
   Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound)
 {
@@ -145,7 +145,7 @@ void TestSteps(Check& check)
   ToShorts(scene.Image);
   ExpectThin(check, "steps, 16-bit values", scene, { 1e-2, 4e-4 });
 
-  // Two consecutive values, each in one half of the volume.
+  // Two consecutive integer values, one in each half of the volume.
   auto halves = GentleScene(MakeProperty({ { 0.0, blue, 0.0 }, { 30006.5 - edge, blue, 0.02 },
                                            { 30006.5 + edge, red, 0.3 }, { 65535.0, red, 0.3 } },
     0.1));
@@ -160,7 +160,8 @@ void TestSteps(Check& check)
   ExpectThin(check, "consecutive 16-bit values", halves, { 1e-2, 2e-4 });
 }
 
-/// Tests gradient opacity, colored transmission and unclamped functions, each with an outlier.
+/// Tests gradient opacity, colored transmission and an unclamped opacity function, all in one scene
+/// with an outlier.
 void TestOthers(Check& check)
 {
   auto scene = SphereScene(false);
@@ -223,7 +224,7 @@ vtkSmartPointer<vtkImageData> Reverse(
 /// Gradients, shading and multiple scattering do not depend on the order of samples.
 void TestReversed(Check& check)
 {
-  // The mean spacing is 0 if only the last spacing is negative.
+  // The three spacings have a mean of 0 if only the z axis is reversed by negative spacing.
   auto scene =
     MakeScene(MakeImage({ { 16, 22, 10 } }, { { 0.06, 0.04, 0.1 } },
                 [](const Double3& x) { return MakeSphere(0.05, 0.45)(x) * (0.4 + 0.6 * x[0]); }),

@@ -36,8 +36,8 @@ namespace
 
 using namespace reference;
 
-/// Bound for soft media. It allows for functions that are nonlinear within a slab, since slabs one
-/// voxel thick use one sample at their center.
+/// Bound for soft media. It allows for transfer functions that are nonlinear within a slab, since
+/// slabs that are one voxel thick use one sample at their center.
 constexpr ImageBound Soft = { 0.015, 0.0006 };
 /// Bound for volumes cut by planes, which leave slabs thinner than a voxel.
 constexpr ImageBound Cut = { 0.06, 0.0006 };

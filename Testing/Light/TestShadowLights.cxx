@@ -171,7 +171,7 @@ void TestProjective(Check& check)
     ExpectReference(check, "slide, not shaded" + kind, scene, ScreenBound);
     light->InterpolateOff();
     light->SetEdgeWidth(0.0);
-    // The slab thickness blurs the edges of the screen and of the slide's pixels.
+    // The slab thickness blurs the projected edges of the light's screen and of the slide's pixels.
     ExpectReference(check, "sharp slide" + kind, scene, { 0.03, 0.0004 });
   }
 }

@@ -33,8 +33,7 @@ vtkSmartPointer<vtkActor> MakeFloor()
   return MakeRectangle({ { -3.0, -3.0, -0.5 } }, { { 6.0, 0.0, 0.0 } }, { { 0.0, 6.0, 0.0 } });
 }
 
-// A stage with a floor and a plate above it. The plate is visible at (0.4, 0), its shadow at (-0.3,
-// 0).
+// A plate above a floor. The plate is visible at (0.4, 0), and its shadow at (-0.3, 0).
 struct Plates
 {
   Plates()
@@ -119,7 +118,8 @@ void TestSurfaces(Check& check)
     CompareImages(first, at("both again", 0.0, 2)).Max, 0.0, 0.0, "same image as at first", 1.0);
 }
 
-// Actors that receive no shadows still show the image of a light, and are black outside the image.
+// Actors that receive no shadows still show the image that a light projects, and are black outside
+// the image.
 void TestLightImages(Check& check)
 {
   Plates scene;
@@ -159,7 +159,7 @@ void TestSmoke(Check& check)
   const RgbaImage shadowed = stage.Draw();
   Pass::SetCastsShadows(plate, false);
   const RgbaImage without = stage.Draw();
-  // The plate's shadow intersects the smoke between x = -0.1 and 0.4.
+  // Inside the smoke, the plate's shadow extends from x = 0.02 to 0.4.
   for (const double x : { -0.2, 0.0, 0.2 })
   {
     check.Near(stage.At(without, x, 0.0), stage.At(single, x, 0.0), 1e-5,
@@ -202,7 +202,7 @@ void TestTranslucent(Check& check)
   check.That(CompareImages(mixed, stage.Draw()).Max > 0.01, "the square's shadow in the smoke");
 }
 
-// An invisible plate casts the same shadow as a visible one, on the floor and in smoke.
+// An invisible plate can cast the same shadow as a visible one.
 void TestInvisible(Check& check)
 {
   Plates scene;
@@ -214,7 +214,7 @@ void TestInvisible(Check& check)
   };
   at("visible", scene.Sun, 0.0);
   scene.Plate->VisibilityOff();
-  // The floor below the plate is lit.
+  // By default, an invisible plate casts no shadow.
   at("invisible", scene.Sun, scene.Sun);
   Pass::SetCastsShadowsWhenInvisible(scene.Plate, true);
   scene.Plate->GetProperty()->SetColor(0.2, 0.2, 0.2);

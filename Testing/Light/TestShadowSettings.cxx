@@ -23,8 +23,8 @@ using namespace reference;
 
 constexpr int Cells = 16;
 
-/// A linear ramp. The gradient is constant except at both ends, where it is half as large. The
-/// light direction causes a highlight.
+/// Returns a scene with a linear ramp. Each gradient component is constant, except at both ends of
+/// its axis, where it is halved. The light direction is chosen such that there is a highlight.
 ShadowScene RampScene(bool shade)
 {
   auto scene =
@@ -58,11 +58,12 @@ RgbaImage Mix(const RgbaImage& a, const RgbaImage& b, double weight)
   return mixed;
 }
 
-/// The surface fraction is the gradient divided by SurfaceGradient, at most 1. Colors are linear in
-/// this fraction, from diffuse scattering without Shade to surface shading.
+/// The surface fraction is the gradient divided by SurfaceGradient, but at most 1. Colors are
+/// interpolated linearly by this fraction between scattering, as without Shade, and surface
+/// shading.
 void TestSurfaceGradient(Check& check)
 {
-  // The largest gradient along an axis, relative to the range, is 0.7 / Cells.
+  // The largest gradient component, as a fraction of the data range per cell, is 0.7 / Cells.
   constexpr double change = 0.7 / Cells;
   const ShadowScene shaded = RampScene(true);
   const RgbaImage full = DrawAt(shaded, change);
@@ -73,7 +74,7 @@ void TestSurfaceGradient(Check& check)
   const ImageBound bound{ 2e-5, 5e-6 };
   ExpectSimilar(check, "half surface shading", half, Mix(isotropic, full, 0.5), bound);
   ExpectSimilar(check, "a quarter surface shading", quarter, Mix(isotropic, full, 0.25), bound);
-  // If SurfaceGradient is below the gradient at the ends, the fraction is 1 everywhere.
+  // If SurfaceGradient does not exceed the smallest gradient, the surface fraction is 1 everywhere.
   const RgbaImage below = DrawAt(shaded, 0.5 * change);
   const RgbaImage none = DrawAt(shaded, 0.0);
   ExpectSimilar(

@@ -78,7 +78,7 @@ struct Case
   double Opacity;
   /// Slice spacing in voxels.
   double Spacing;
-  /// Allowed relative difference in mean brightness between the two sides of the plane.
+  /// Allowed relative difference in mean brightness between front-to-back and back-to-front order.
   double Bound;
   /// True if the medium has a transmission color.
   bool IsColored = false;
@@ -118,7 +118,7 @@ void TestSides(Check& check, const Case& settings)
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetClippingRange(1.0, 8.0);
   stage.SetCamera(camera);
-  // The camera looks along -z.
+  // The camera looks along -z, so the sign of the light's z direction determines the slice order.
   constexpr double tiny = 1e-4;
   stage.SetLights({ MakeSun({ { 0.8, 0.6, -tiny } }) });
   const double along = GetMean(stage.Capture());
@@ -139,7 +139,8 @@ void TestSides(Check& check, const Case& settings)
 int TestShadowSides(int, char*[])
 {
   Check check;
-  // The remaining difference decreases with the slice spacing.
+  // The difference in brightness between front-to-back and back-to-front order decreases with the
+  // slice spacing.
   TestSides(check, { "dense, spacing of two voxels", 0.998, 2.0, 0.08 });
   TestSides(check, { "dense, spacing of half a voxel", 0.998, 0.5, 0.01 });
   TestSides(check, { "dense, spacing of a quarter of a voxel", 0.998, 0.25, 0.003 });

@@ -61,7 +61,7 @@ RgbaImage Crop(const RgbaImage& image, int left, int width)
   return part;
 }
 
-/// Composites an image over a background, with alpha 1.
+/// Composites an image over an opaque background.
 RgbaImage Over(const RgbaImage& image, const Double3& background)
 {
   RgbaImage result = image;
@@ -247,7 +247,8 @@ Double3 GetCentroid(const RgbaImage& image)
   return { { sum[0] / sum[2], sum[1] / sum[2], sum[2] } };
 }
 
-/// In stereo, the volume appears at the same position as a sphere.
+/// For each eye, the volume appears at the same position as a polygonal sphere with the same
+/// center.
 void TestStereo(Check& check)
 {
   auto scene = SphereScene();

@@ -127,8 +127,8 @@ ShadowScene LayeredScene(const std::function<double(double)>& profile, double la
   return scene;
 }
 
-/// Returns the largest error at positions whose light enters through the top and exits through the
-/// bottom, or NaN if a value is missing.
+/// Returns the largest error for light rays that enter through the top and exit through the bottom,
+/// or NaN if a value is missing.
 double GetLargestError(LightBuffer& buffer, double slope, double depth)
 {
   const double expected = std::exp(-depth * std::sqrt(1.0 + 1.25 * slope * slope));
@@ -150,11 +150,11 @@ void TestMedia(Check& check)
   {
     const char* Name;
     std::function<double(double)> Profile;
-    /// Integral of the profile from z to the top, z = 1.
+    /// Integral of the profile from z to the top at z = 1.
     std::function<double(double)> Integral;
   } media[] = { { "homogeneous", [](double) { return 1.0; }, [](double z) { return 1.0 - z; } },
     { "linear", [](double z) { return z; }, [](double z) { return 0.5 * (1.0 - z * z); } },
-    // The transition between the slabs is a ramp over one voxel.
+    // Between the two slabs, the extinction changes linearly over one voxel.
     { "two slabs", [](double z) { return z > 0.5 ? 0.2 : 1.0; },
       [](double z)
       {
@@ -177,7 +177,7 @@ void TestMedia(Check& check)
       const double error = GetLargestError(full, slope, largest * medium.Integral(0.0));
       std::cout << name << ", default spacing: " << error << std::endl;
       check.Near(error, 0.0, DefaultBound, name + ", default spacing", 1.0);
-      // Cropping below z ends the light buffer at that depth.
+      // If the region below z is cropped, the light buffer contains the transmittance down to z.
       for (double z : { 0.75, 0.25 })
       {
         scene.CroppingPlanes = { { -1.0, 1.0, -1.0, 1.0, z - 0.5, 1.0 } };
@@ -263,7 +263,7 @@ void TestAngles(Check& check)
     const double radians = vtkMath::RadiansFromDegrees(static_cast<double>(angle));
     scene.Camera = LookAt(scene.Image, { { std::sin(radians), 0.0, -std::cos(radians) } }, true);
     vtkNew<vtkShadowedSliceMapper> mapper;
-    // A large buffer, to exclude the error of interpolation between texels.
+    // With a large buffer, the error of interpolation between texels is negligible.
     mapper->SetLightBufferSize(256);
     LightBuffer buffer(mapper, scene);
     mapper->SetLightBufferSize(0);

@@ -292,7 +292,8 @@ void TestTwoVolumes(Check& check)
 
 void TestPlate(Check& check)
 {
-  // A plate shadows the left half of the smoke, with light from above and from below.
+  // A black plate between the smoke and the light shadows the left half of the smoke, for light
+  // from above and from below.
   for (const double side : { 1.0, -1.0 })
   {
     for (const double tilt : { 0.0, -0.2 })
@@ -343,8 +344,8 @@ void TestPlate(Check& check)
 
 void TestCounters(Check& check)
 {
-  // With only smoke, the pass draws the same image with the same work as the mapper does without
-  // the pass.
+  // If the scene contains only smoke, the pass does the same work and draws the same image as the
+  // mapper alone.
   SceneStage smoke(64);
   smoke.AddSmoke(SMOKE, EXTINCTION);
   smoke.Stage.SetLights({ MakeSun({ { 0.4, 0.2, -1.0 } }) });
@@ -366,8 +367,8 @@ void TestCounters(Check& check)
         smoke.Mapper->GetReport()->GetNumber("ImageBufferBytes"),
     "only smoke: same work");
 
-  // Counts camera depth passes for a wall alone, with smoke, and with smoke but no light that casts
-  // shadows.
+  // Three scenes: a wall alone, a wall with smoke, and a wall with smoke but with a light that
+  // casts no shadows.
   for (int i = 0; i < 3; ++i)
   {
     SceneStage stage(64);

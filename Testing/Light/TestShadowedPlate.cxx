@@ -37,8 +37,8 @@ constexpr int VOXELS = 96;
 constexpr int LAYERS = 16;
 constexpr int PIXELS = 160;
 
-/// Returns a density that increases from 0 above the plate's surface to 1 below it, like an edge
-/// smoothed by a Gaussian of 1.14 voxels.
+/// Returns a plate whose density increases from 0 above its surface to 1 below it. The density is a
+/// step smoothed by a Gaussian with a standard deviation of 1.14 voxels.
 vtkSmartPointer<vtkImageData> MakePlate()
 {
   return MakeImage({ { VOXELS, VOXELS, LAYERS } }, { { 1.0, 1.0, 1.0 } },
@@ -68,10 +68,10 @@ enum Kinds
   /// In the red channel, the extinction along light rays is halved.
   COLORED,
   NEAREST,
-  /// Two lights of half the intensity, one from each side.
+  /// Two lights from opposite sides, each with half the intensity.
   TWO_LIGHTS,
-  /// Cropped inside the opacity ramp by a plane parallel to the plate, so that the medium has a
-  /// sharp boundary.
+  /// The volume is cropped by a plane that is parallel to the plate and inside the opacity ramp, so
+  /// that the medium has a sharp boundary.
   CROPPED
 };
 
@@ -168,7 +168,8 @@ void TestPlate(Check& check, const Case& plate)
   const double seen = -plate.View[2] / vtkMath::Norm(plate.View.data());
   const double lit = -plate.Light[2] / vtkMath::Norm(plate.Light.data());
   constexpr double bright = 187.0;
-  // The integral of exp(-a - a * seen / lit) over all optical depths a is 1 / (1 + seen / lit).
+  // Over all optical depths a along a view ray, the integral of exp(-a - a * seen / lit) is
+  // 1 / (1 + seen / lit).
   const double fraction = plate.Kind == COLORED ? 0.5 : 1.0;
   const double intensity =
     bright / 255.0 * (1.0 + fraction * seen / lit) / (plate.IsShaded ? lit : 1.0);
@@ -188,8 +189,8 @@ void TestPlate(Check& check, const Case& plate)
   if (plate.Kind == CROPPED)
   {
     mapper->CroppingOn();
-    // If the visible regions form a box, the mapper treats it as a smaller volume. Therefore a
-    // corner region outside the image is visible, too.
+    // If the visible regions form a box, the mapper treats it as a smaller volume. To prevent this,
+    // a corner region outside the image is visible, too.
     mapper->SetCroppingRegionPlanes(-40.0, 40.0, -40.0, 40.0, -LAYERS, 0.3);
     mapper->SetCroppingRegionFlags(0x7ffff);
   }
@@ -249,9 +250,9 @@ int TestShadowedPlate(int, char*[])
   const Double3 across = { { -0.5, 0.2, -0.9 } };
   const Double3 grazing = { { 0.8, 0.1, -0.5 } };
   // For comparison: with one sample at the center of each slab and interpolated transmittance,
-  // these cases have a roughness and a bias of 0.55 and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and
-  // 1.1, 2.8 and 1.5, 0.7 and 3.4, 1.3 and 1.2, 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 1.9 and 1.6,
-  // 5.2 and 11.8, 5.3 and 0.7, 1.7 and 3.1, 1.7 and 3.2, 1.5 and 0.2.
+  // these cases would have the following (roughness, bias): (0.55, 6.7), (0.55, 6.7), (1.3, 1.2),
+  // (2.1, 1.1), (2.8, 1.5), (0.7, 3.4), (1.3, 1.2), (0.7, 1.1), (0.3, 2.7), (1.9, 1.4), (1.9, 1.6),
+  // (5.2, 11.8), (5.3, 0.7), (1.7, 3.1), (1.7, 3.2), (1.5, 0.2).
   const std::vector<Case> cases = { { "flat view", flat, { { -0.1, 0.05, -1.0 } }, 192, true, 0.0,
                                       0.2, 0.5 },
     { "flat view, not shaded", flat, { { -0.1, 0.05, -1.0 } }, 192, false, 0.0, 0.2, 0.5 },

@@ -36,7 +36,7 @@ void TestEdges(Check& check)
     const RgbaImage image = stage.Draw();
     const std::string name = "box, " + std::to_string(resolution);
     const double lit = std::sqrt(0.5);
-    // Perpendicular to the light, the shadow map covers 2 units along y.
+    // Along y, which is perpendicular to the light, the shadow map covers 2 units.
     const double texel = 2.0 / resolution;
     const double pixel = 2.0 / 256.0;
     check.Near(stage.At(image, -0.6, 0.0), lit, 1e-4, name + ": lit");
@@ -74,7 +74,8 @@ void TestPointLight(Check& check)
 
 void TestSpecks(Check& check)
 {
-  // A single sphere or thin plate looks the same with and without shadows.
+  // A single sphere or thin plate casts no visible shadow on itself, so it looks the same with and
+  // without shadows.
   for (const double height : { 1.0, 0.3, 0.1 })
   {
     for (int shape = 0; shape < 3; ++shape)
@@ -103,8 +104,8 @@ void TestSpecks(Check& check)
   }
 }
 
-// Tests a sphere or thin plate under an area light. Points that the full light illuminates look the
-// same with and without shadows, and points that face away from all of the light are black.
+// Tests a sphere or thin plate under an area light. Points that face the entire light look the same
+// with and without shadows, and points that face away from the entire light are black.
 void TestSoftSpecks(Check& check)
 {
   for (const double height : { 1.0, 0.3 })

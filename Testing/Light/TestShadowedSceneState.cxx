@@ -102,7 +102,7 @@ void TestLights(Check& check)
   check.Near(largest, 0.0, 1e-4, "a quarter of the attenuation", 1.0);
   suns[0]->SetShadowAttenuation(1.0F);
 
-  // In a headlight, smoke casts shadows but actors do not.
+  // With a headlight, smoke casts shadows but actors do not.
   vtkSmartPointer<vtkLight> head = MakeSun({ { 0.0, 0.0, -1.0 } });
   head->SetLightTypeToHeadlight();
   stage->Stage.SetLights({ head });
@@ -162,7 +162,8 @@ void TestPasses(Check& check)
     stage->GetReport()->GetCount("DepthMapsDrawn"), 0, "no shadow maps are drawn for another view");
   stage->LookAlong({ { 0.1, 0.7, -1.0 } });
   check.Near(CompareImages(stage->Draw(), before).Max, 0.0, 0.0, "the first view again", 1.0);
-  // Shader programs that have just drawn shadow maps draw the image with the correct lights.
+  // Actors are drawn with the correct lights even if their shader programs have just drawn shadow
+  // maps.
   vtkSmartPointer<vtkActor> sphere = MakeSphereActor({ { -0.6, -0.5, 0.0 } }, 0.2, 32);
   stage->Add(sphere);
   sphere->SetPosition(0.1, 0.0, 0.0);
@@ -178,7 +179,7 @@ void TestPasses(Check& check)
 
 void TestViewports(Check& check)
 {
-  // Two renderers next to each other have the same images as separate windows.
+  // A renderer draws the same image next to another renderer as in a separate window.
   auto single = MakeStage();
   single->Stage.GetRenderer()->SetPass(single->Pass);
   single->Stage.GetRenderer()->SetBackgroundAlpha(1.0);
@@ -263,7 +264,7 @@ void TestSamples(Check& check)
 
 void TestShading(Check& check)
 {
-  // A sphere without shadows on it looks the same with and without the pass.
+  // An unshadowed sphere looks the same with and without the pass.
   for (int kind = 0; kind < 6; ++kind)
   {
     SceneStage stage(64);
@@ -309,7 +310,7 @@ void TestShading(Check& check)
         break;
     }
     stage.Add(sphere);
-    // The sphere's own shadow is on its far side.
+    // The light comes from the front, so the sphere casts no visible shadow on itself.
     stage.Stage.SetLights({ MakeSun({ { 0.1, 0.1, -1.0 } }) });
     const RgbaImage with = stage.Draw();
     const RgbaImage without = stage.Draw(false);

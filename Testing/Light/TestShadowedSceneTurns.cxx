@@ -22,7 +22,8 @@ using namespace reference;
 
 constexpr int STEPS = 90;
 
-// Checks that the mean brightness changes smoothly, by its second differences relative to the mean.
+// Checks that the mean brightness changes smoothly during a rotation: its second differences are
+// small relative to the mean.
 void TestRotation(Check& check, bool isLightRotated)
 {
   SceneStage stage(64);

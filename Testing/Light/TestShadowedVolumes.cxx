@@ -111,7 +111,8 @@ MixedScene MakeScene(
   return scene;
 }
 
-/// Compares the frame with the reference, and with the frame of the volumes in reverse order.
+/// Compares the frame with the reference, and with a frame in which the volumes are in reverse
+/// order.
 void TestScene(
   Check& check, const std::string& name, const MixedScene& scene, const ImageBound& bound)
 {
@@ -204,7 +205,7 @@ SceneVolume MakeSmoke(int first, int last, double fraction = 1.0)
 }
 
 /// Two halves look like the complete volume, without a seam, for any orientation of their common
-/// face.
+/// face. Two volumes of half the density look like one volume, too.
 void TestHalves(Check& check)
 {
   const std::vector<std::tuple<std::string, Double3, Double3>> rays = {
@@ -256,8 +257,8 @@ void TestThickHalves(Check& check)
   }
 }
 
-/// Tests that the error of two volumes of different colors at the same position decreases with the
-/// slice spacing.
+/// For two volumes of different colors at the same position, the error decreases with the slice
+/// spacing.
 void TestRefinement(Check& check)
 {
   const Box box{ { -0.5, 0.5, -0.4, 0.4, -0.3, 0.3 } };
@@ -301,7 +302,8 @@ void TestPointLights(Check& check)
 }
 
 /// A point light inside smoke above a floor. The slice plane through the light intersects the
-/// floor. Rays parallel to the slices leave the smoke before they reach a slab.
+/// floor. Light rays that are almost parallel to the slices leave the smoke before they reach the
+/// next slab.
 void TestPointLightAboveFloor(Check& check)
 {
   const Double3 black{ { 0.0, 0.0, 0.0 } };
@@ -439,7 +441,7 @@ void TestSoftShadows(Check& check)
   check.That(hard.Mean > 0.0005, "soft shadows: penumbras are visible");
 }
 
-/// Tests opaque media, whose surfaces are inside slabs, and their shadows on each other.
+/// Tests opaque boxes, whose faces are inside slabs, and the shadows that they cast on each other.
 void TestSharp(Check& check)
 {
   const SceneVolume lower = MakeMedium({ { -0.5, 0.3, -0.3, 0.3, -0.5, -0.2 } }, 80.0, RED);
@@ -464,7 +466,8 @@ void TestSurfaces(Check& check)
   TestScene(check, "surfaces", scene, { 0.15, 0.0005 });
 }
 
-/// The pass combines different settings of its volumes.
+/// If the settings of volumes in shared slices differ, the pass uses the finest slice spacing, the
+/// largest light buffer and the smallest image sample distance.
 void TestSettings(Check& check)
 {
   const MixedScene scene =
@@ -534,8 +537,8 @@ void TestSeparate(Check& check)
   check.That(pile.GetReport()->GetText("SeparateVolumesReason").find("slices") != std::string::npos,
     "1 to 1000: the report contains the reason");
 
-  // A single volume with a floor has no shared slices. Its image does not depend on volumes that
-  // were drawn earlier.
+  // A single volume above a floor is not drawn in shared slices. Its image does not depend on other
+  // volumes that were drawn earlier.
   MixedScene single = MakeScene({ large }, light, view);
   single.Surfaces.push_back(
     { MakeRectangle({ { -1.0, -1.0, -0.55 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }), {} });

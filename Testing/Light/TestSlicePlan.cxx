@@ -206,7 +206,7 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
   check.That((sweep.Slabs - 1) * voxel < upper - lower, "there are no unnecessary slabs");
 }
 
-// All vertices are inside the border of the buffer, and the border is tight.
+// Checks that the volume's vertices fill the buffer exactly, except for its border of two texels.
 void CheckBuffer(Check& check, const interlume::SlicePlan::ShadowedLight& light,
   const std::array<glm::dvec3, 8>& corners, double distance)
 {
@@ -271,8 +271,8 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Camera& e
       }
       ++narrow[index];
       const std::vector<glm::dvec3> rays = GetRays(source, corners);
-      // Directional lights are never wide, so a camera close to the volume may reduce their cosine
-      // further.
+      // Directional lights are never wide, so their cosine may be smaller if the camera is close to
+      // the volume.
       const double minimum = source.IsPositional ? interlume::SlicePlan::WideCosine - 1e-9 : 0.05;
       check.That(
         GetMinimum(rays, sweep.Normal) >= minimum, "minimum cosine of a light that is not wide");
@@ -316,7 +316,8 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Camera& e
   }
 }
 
-// A plan reaches the guaranteed cosines if some normal reaches them.
+// The cosines of view and light rays with the normal of a plan are at least ViewCosine and
+// LightCosine if any normal achieves this.
 void CheckAngles(Check& check, const interlume::SlicePlan& plan,
   const std::vector<glm::dvec3>& eyeRays, const interlume::LightSource& light,
   const std::array<glm::dvec3, 8>& corners)
@@ -451,8 +452,8 @@ void CheckHalfVector(Check& check)
   }
 }
 
-// While the light rotates around the view in steps of 0.01 degrees, the normal rotates at most as
-// fast as the light, except at 90 degrees, where the slice order changes.
+// The light rotates from the view direction to its opposite in steps of 0.01 degrees. The normal of
+// the slices changes continuously, except at 90 degrees, where the slice order changes.
 void CheckContinuity(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();
@@ -597,7 +598,7 @@ void CheckDenseMedium(Check& check)
   const Camera eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
   interlume::SlicePlan::Settings settings;
   settings.SmallerImageSize = 1000;
-  // Slabs are 50 units thick, so their optical depth is the argument of getSize().
+  // Slabs are 50 units thick, so \a depth is their optical depth.
   const auto getSize = [&](double depth)
   {
     const interlume::SlicePlan::SlicedVolume volume = { &space, space.Box, 0.0,
@@ -655,7 +656,7 @@ void CheckSettings(Check& check)
                 .Lights[0]
                 .BufferSize,
     2048, "largest automatic size");
-  // A sheet and a needle of 100 x 100 x 50 voxels in oblique light.
+  // Volumes of 100 x 100 x 50 voxels, shaped like a sheet or a needle, in oblique light.
   const std::vector<interlume::LightSource> oblique = { MakeDirectional(
     Normalize(glm::dvec3(0.3, -0.4, -1.0), {})) };
   const auto getSize = [&](const std::array<double, 3>& spacing)
@@ -680,7 +681,8 @@ void CheckSettings(Check& check)
   }
 }
 
-// If the screen is smaller than the box, the screen's corners are at the buffer's border.
+// If the screen of a projective light is smaller than the volume, the screen's corners are at the
+// buffer's border.
 void CheckScreens(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();

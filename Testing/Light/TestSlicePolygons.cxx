@@ -36,7 +36,8 @@ struct Scene
   interlume::SlicePlan::Sweep Sweep;
 };
 
-// Returns borders as in interlume::VolumeBlocks, between the centers of the outermost texels.
+// Returns block borders in texture coordinates as in interlume::VolumeBlocks, from the center of
+// the first texel to the center of the last.
 std::vector<double> MakeBorders(int size, int block)
 {
   std::vector<double> borders;
@@ -107,7 +108,7 @@ std::vector<Box> GetBlocks(const Scene& scene)
   return blocks;
 }
 
-// Returns two perpendicular directions in the plane.
+// Returns two perpendicular directions in the plane with the given normal.
 std::array<glm::dvec3, 2> GetAxes(const glm::dvec3& normal)
 {
   const glm::dvec3 first = Perpendicular(normal, { 0.3, 0.8, 0.5 });
@@ -125,7 +126,8 @@ double GetArea(const Polygon& polygon)
   return interlume::Vectors::SafeLength(sum);
 }
 
-// Returns the intersection of the plane with a block: a large square clipped by the block's faces.
+// Returns the intersection of a slice plane with a block: a large square clipped by the block's
+// faces.
 Polygon ClipPlane(const Scene& scene, double position, const Box& block)
 {
   const glm::dvec3& normal = scene.Sweep.Normal;
@@ -226,8 +228,9 @@ double GetDepth(const Box& block, const glm::dvec3& texture)
   return depth;
 }
 
-// Checks the areas of each slab, and points in its plane: points in visible blocks are covered
-// exactly once, also on common faces, and other points are not covered.
+// Checks the total area of each slab's triangles, and points in its plane: points in visible
+// blocks, including those on common faces, are covered exactly once, and points outside are not
+// covered.
 void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
 {
   interlume::SlicePolygons polygons;
@@ -240,7 +243,8 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
   for (int slab = 0; slab < scene.Sweep.Slabs; ++slab)
   {
     const double position = scene.Sweep.First + (slab + 0.5) * scene.Sweep.Spacing;
-    // If planes coincide with faces, expect the area of a plane slightly above.
+    // If slice planes coincide with block faces, the expected area is that of a plane slightly
+    // above.
     const double sampledPosition = position + (hasTies ? 1e-9 : 0.0);
     double expected = 0.0;
     for (const Box& block : blocks)
@@ -386,7 +390,8 @@ void CheckTies(Check& check)
         scene.Visible.push_back(isFull || random.Get(0.0, 1.0) < 0.5 ? 1 : 0);
       }
       scene.Crop = scene.Space.Box;
-      // Slabs include the planes of the borders and one plane outside.
+      // Slabs are shifted by half their thickness, so that slice planes coincide with block
+      // borders, including both ends of the volume.
       SetSlabs(scene, normal, 4);
       scene.Sweep.First -= 0.5 * scene.Sweep.Spacing;
       scene.Sweep.Slabs = 5;

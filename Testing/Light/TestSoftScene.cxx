@@ -165,8 +165,8 @@ void TestReference(Check& check)
   TestCase(check, setting);
 }
 
-/// A light of size 0 and a light with one sample have the same image, work and shaders as a light
-/// without extent.
+/// A light of size 0 requires the same work and results in the same image as a light without
+/// extent. A light with one sample has a single shadow map, too.
 void TestHard(Check& check)
 {
   RgbaImage images[3];
@@ -208,7 +208,8 @@ void TestHard(Check& check)
     "receivers with a light of size 0");
 }
 
-/// In a scene, sample layers replace SAMPLED_LIGHTS, with the same samples and the same image.
+/// In a scene with surfaces, SAMPLED_LIGHTS uses sample layers and results in the same image as
+/// SAMPLE_LAYERS.
 void TestSampledLights(Check& check)
 {
   RgbaImage images[2];
@@ -228,8 +229,8 @@ void TestSampledLights(Check& check)
   check.Near(CompareImages(images[0], images[1]).Max, 0.0, 0.0, "SAMPLED_LIGHTS in a scene", 1.0);
 }
 
-/// Draws an area light and a directional light. Neither light adds the kind of shadow map that the
-/// other uses.
+/// Draws an area light, a directional light, and both. Each light adds only its own kind of shadow
+/// map.
 void TestBoth(Check& check)
 {
   RgbaImage images[3];

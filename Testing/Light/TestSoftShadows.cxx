@@ -112,8 +112,8 @@ void TestHalfPlane(Check& check)
       const auto profile = GetVisibleFraction(ratio, width, set, report);
       const double error = GetRampWidth(profile) / width - 1.0;
       const double fit = FitRampWidth(profile) / width - 1.0;
-      // The edge must coincide with that of the hard shadow. The profile is compared with a ramp
-      // shifted to the profile's own edge.
+      // The profile is compared with a ramp that is shifted to the profile's edge. This edge must
+      // coincide with the edge of the hard shadow.
       const double shift = GetShift(profile, width);
       const double hardShift = GetShift(GetVisibleFraction(ratio, 0.0, set, nullptr), 0.0);
       double largest = 0.0;
@@ -202,8 +202,8 @@ void TestRefinement(Check& check)
   }
 }
 
-/// Penumbras of a few texels. Interpolating between layers and averaging them would widen a
-/// penumbra of 4 texels by two thirds, and a penumbra of 6 texels by a quarter.
+/// Tests penumbras that are only a few texels wide. Interpolating between layers and averaging them
+/// would widen a penumbra of 4 texels by two thirds, and a penumbra of 6 texels by a quarter.
 void TestNarrow(Check& check)
 {
   constexpr int size = 128;
@@ -218,8 +218,8 @@ void TestNarrow(Check& check)
   }
 }
 
-/// Round lights, and lights tilted by 45 degrees, compared with the exact visible fraction of a
-/// disk or rectangle.
+/// Compares square and round lights, upright or tilted by 45 degrees, with the exact visible
+/// fraction of a rectangle or disk.
 void TestShapes(Check& check)
 {
   constexpr double width = 0.2;
@@ -350,7 +350,8 @@ void TestSamples(Check& check)
   compare("clipping plane", scene, 1);
 }
 
-/// An area light of size 0 is identical to a light without extent, without cost for soft shadows.
+/// An area light of size 0 results in the same image as a light without extent, and requires no
+/// work for soft shadows.
 void TestPoint(Check& check)
 {
   for (const int method :
@@ -384,8 +385,8 @@ void TestPoint(Check& check)
   }
 }
 
-/// A light inside the volume is reduced to its center, or replaced by one light per sample with
-/// SAMPLED_LIGHTS. The report contains the number of such lights.
+/// An area light inside the volume is reduced to its center, or replaced with one light per sample
+/// if the method is SAMPLED_LIGHTS. The report contains the numbers of both kinds of lights.
 void TestInside(Check& check)
 {
   const Double3 inside{ { 0.1, 0.1, 0.1 } };

@@ -208,8 +208,9 @@ double TestProfile(Check& check, const Case& half)
   return mean;
 }
 
-/// A wall on the floor at x = 0, and a light to the side of it. Near the wall, each point of the
-/// floor sees the part of the light on its own side, and the light above the wall.
+/// A wall on the floor at x = 0, and a light slightly to one side of it. On that side, the floor
+/// near the wall sees the part of the light on the same side of the wall, and the part above the
+/// wall's top edge.
 void TestFoot(Check& check)
 {
   constexpr int pixels = 256;
@@ -275,8 +276,8 @@ int TestSurfacePenumbra(int, char*[])
       TestProfile(check, half);
     }
     half.Ratio = 1.0;
-    // No two samples have the same distance from the edge, but the outermost samples cause visible
-    // steps.
+    // With this rotation, no two samples have the same distance from the edge, but the outermost
+    // samples cause visible steps in the profile.
     half.Rotation = 30.0;
     half.WidthBound = 0.06;
     half.ProfileBound = 0.07;

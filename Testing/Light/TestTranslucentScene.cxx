@@ -189,8 +189,7 @@ void TestTwoVolumes(Check& check)
   }
 }
 
-// Without volumes, the floor behind squares has exactly the transmitted light, and VTK draws the
-// squares.
+// Without volumes, VTK draws the squares, and the brightness of the floor behind them is exact.
 void TestLight(Check& check)
 {
   const auto sun = MakeSun({ { 0.0, 0.0, -1.0 } });
@@ -286,7 +285,8 @@ void TestMappers(Check& check)
   check.Near(largest, 0.0, 2e-3, "opacity per point: the floor behind", 1.0);
 }
 
-// Unsupported actors are reported, and scenes without translucent actors cause no work.
+// A warning names unsupported actors, and scenes without translucent actors require no additional
+// work.
 void TestCounters(Check& check)
 {
   const auto sun = MakeSun({ { 0.5, 0.2, -1.0 } });

@@ -65,8 +65,8 @@ vtkSmartPointer<vtkDataArray> MakeArray(const Case& volume)
   return array;
 }
 
-/// Returns true if the band intersects the values of a component in a block and its neighbors. The
-/// band is widened by two columns of the material table if \a isWidened.
+/// Returns true if the band overlaps the range of a component's values in a block and the samples
+/// next to it. The band is widened by two columns of the material table if \a isWidened.
 bool IntersectsBand(vtkDataArray* array, const Case& volume, const Index& block, int edge,
   int component, bool isWidened)
 {
@@ -254,7 +254,7 @@ void CheckSizes(Check& check)
   }
 }
 
-/// Tests rows of samples with a single visible sample, at each index.
+/// Tests rows of samples in which only the sample at one index is visible.
 void CheckNeighbors(Check& check)
 {
   for (int index = 0; index < 50; ++index)

@@ -82,8 +82,8 @@ void CheckPreserved(vtkPolyData* surface, vtkIdType triangles, Check& check)
   }
 }
 
-/// No quality bound can be satisfied next to angles of 15 degrees. The maximum volume can still be
-/// satisfied, and tetrahedra do not shrink without limit.
+/// The quality bound of 1.4 cannot be satisfied next to angles of 15 degrees. The maximum volume
+/// can still be satisfied, and tetrahedra do not shrink without limit.
 void CheckNeedles(Check& check)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -137,8 +137,8 @@ vtkSmartPointer<vtkPolyData> MakeRandomPoints(int number)
   return data;
 }
 
-/// For this surface, a single call of TetGen with the facets and all bounds would exceed the
-/// maximum volume. The angles of the input make a quality bound impossible.
+/// A single call of TetGen with the facets and all bounds would create tetrahedra above the maximum
+/// volume. The angles of the rough sphere make it impossible to satisfy the quality bound.
 void CheckRough(Check& check)
 {
   const auto rough = MakeRoughSphere(0.4);
@@ -176,7 +176,8 @@ void CheckRough(Check& check)
 void CheckScales(Check& check)
 {
   const auto surface = MakeRoughSphere(0.2);
-  // With some versions of TetGen, the angles of the surface make the quality bound impossible.
+  // With some versions of TetGen, the quality bound cannot be satisfied because of the angles of
+  // the surface.
   vtkNew<vtkTetrahedralMesher> mesher;
   ExpectWarnings(mesher);
   const auto mesh = [&](double scale)

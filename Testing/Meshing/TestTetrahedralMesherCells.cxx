@@ -232,7 +232,8 @@ void CheckBlocks(Check& check)
   check.Contains(message, "\"ids\" has 17 tuples; 18 are needed");
 }
 
-/// Returns a prism over a polygon in the plane. The points are listed counterclockwise.
+/// Returns a prism over a polygon, whose points are in counterclockwise order. The top of the prism
+/// is rotated by \a twist.
 vtkSmartPointer<vtkUnstructuredGrid> MakePrism(
   const std::vector<std::array<double, 2>>& polygon, double twist = 0.0)
 {
@@ -281,8 +282,7 @@ void CheckSingle(Check& check)
   }
   CheckMesh(MakePrism(comb), 9.0L + 5 * 2.0L, check);
   // Schoenhardt's polyhedron cannot be tetrahedralized without a new point. It is a twisted prism
-  // whose sides are split along the concave diagonals. The result has 12 triangles and one interior
-  // point.
+  // whose sides are split along the concave diagonals.
   check.SetContext("Schoenhardt");
   MeshBuilder builder;
   const double pi = std::acos(-1.0);

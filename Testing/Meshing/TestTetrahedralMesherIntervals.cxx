@@ -20,7 +20,8 @@ using namespace reference;
 
 const LinearFunction Function = { 0.1, { 0.3, 0.5, 0.7 } };
 
-/// Checks intervals in the mesh of a box, which is made of concave cells or given by its surface.
+/// Checks the interval volumes of a box. The input is a mesh of concave cells or the surface of the
+/// box.
 void CheckBox(vtkDataSet* input, const std::array<double, 3>& size, Check& check)
 {
   AddLinearField(input, Function);

@@ -52,7 +52,7 @@ void CheckRuns(vtkDataSet* input, Check& check)
     FindDifference(first, mesher->GetOutput()).empty(), "output after an abort is bit-identical");
 }
 
-/// Aborting interrupts TetGen within seconds, although the mesh would take minutes.
+/// Aborting interrupts TetGen within seconds, although meshing would take minutes.
 void CheckAbortWithinTetGen(Check& check)
 {
   auto box = MakeBoxes();

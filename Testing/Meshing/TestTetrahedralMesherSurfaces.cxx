@@ -155,8 +155,8 @@ void CheckShells(Check& check)
     AppendBox(boxes, { 2, 2, 2 }, { 4, 4, 4 });
     AppendBox(boxes, { 6, 6, 6 }, { 7, 7, 7 }, inward);
     auto cavities = MeshOf(boxes);
-    // Regions are sorted by the first polygons of their shells. The space of volume 512 - 8 - 1 is
-    // a cavity unless nested shells are filled.
+    // Regions are numbered by the first polygon on their boundary, outer regions first. The space
+    // of volume 512 - 8 - 1 is a cavity unless nested shells are filled.
     CheckRegions(cavities, { 1000 - 512, 1, 8, 1 }, check);
     CheckVolume(cavities, 1000 - 512 + 1 + 8 + 1, check);
     auto filled = MeshOf(boxes, true);
@@ -200,8 +200,8 @@ void Rotate(vtkPolyData* surface)
   surface->SetPoints(points);
 }
 
-/// Parts that touch without common points and edges are split where they touch. Each part retains
-/// its region and its volume.
+/// Touching parts that share no points or edges are split where they touch. Each part retains its
+/// region and its volume.
 void CheckContacts(Check& check)
 {
   std::vector<std::array<Corner, 2>> blocks;
@@ -301,7 +301,7 @@ void CheckPointContacts(Check& check)
   }
 }
 
-/// Two walls that touch are triangulated along different diagonals.
+/// Two coincident walls are triangulated along different diagonals.
 void CheckDiagonals(Check& check)
 {
   check.SetContext("a wall with other diagonals");
@@ -326,8 +326,8 @@ void CheckDiagonals(Check& check)
   CheckVolume(mesher->GetOutput(), 2.0L, check);
 }
 
-/// Without SplitContacts, an error names the cells: the top of the first cube and the bottom of the
-/// second cube.
+/// Without SplitContacts, the error names the touching cells: the top of the first cube and the
+/// bottom of the second cube.
 void CheckContactError(Check& check)
 {
   check.SetContext("SplitContacts off");

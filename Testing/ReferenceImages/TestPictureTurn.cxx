@@ -29,14 +29,14 @@ int TestPictureTurn(int, char*[])
   check.Near(odd.GetMeanBend().P95, 0.0, 1e-12, "all frames except three are uniform", 1.0);
   check.Equal(odd.GetMeanBend().Outliers, 3, "outliers: that frame and its neighbors");
   check.Equal(even.GetMeanBend().Outliers, 0, "uniform motion has no outlier");
-  // The changes into and out of the differing frame both count.
+  // Both the change to the differing frame and the change back are outliers.
   check.Near(odd.GetChangeBend().Largest, 0.245, 1e-12, "a change that differs");
   check.Near(odd.GetChangeBend().P95, 0.0, 1e-12, "all changes except four are uniform", 1.0);
   check.Equal(odd.GetChangeBend().Outliers, 2, "outliers: both changes, but not their neighbors");
   check.Equal(
     MotionOutliers::Measure({ 1.0, 5.0 }, 0.1, 1.0).At, 0, "two numbers have no second difference");
-  // The second differences are 1 except for one larger value, whose two neighbors grow by half as
-  // much.
+  // The second difference at index 50 is \a one, its two neighbors are (1 + \a one) / 2, and all
+  // others are 1.
   const auto countOutliers = [](double one, double seen, double bound)
   {
     std::vector<double> numbers(100);

@@ -18,11 +18,12 @@
 
 namespace
 {
-/// Threshold at which VTK's tests pass.
+/// Largest error with which VTK's image tests pass.
 constexpr double VTK_THRESHOLD = 10.0;
 constexpr int SIZE = 200;
 
-/// Draws a shaded sphere on a gray background, with its radius scaled and its center shifted right.
+/// Draws a shaded sphere on a gray background. Its radius is multiplied by \a scale, and its center
+/// is \a shift pixels to the right of the image's center.
 vtkSmartPointer<vtkImageData> DrawSphere(double scale, double shift)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -89,7 +90,7 @@ int main()
   expect(PassesVtk(shifted, baseline), "VTK accepts an image that is shifted by a pixel");
   expect(!PassesHere(shifted, baseline), "an image that is shifted by a pixel fails");
 
-  // Rounding may change every value by one step, and silhouettes may change single pixels.
+  // A few pixels may differ, since rounding can change pixels at silhouettes.
   vtkSmartPointer<vtkImageData> speckled = DrawSphere(1.0, 0.0);
   static_cast<unsigned char*>(speckled->GetScalarPointer(10, 10, 0))[0] = 0;
   expect(PassesHere(speckled, baseline), "a single changed pixel passes");

@@ -52,7 +52,7 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyDataAlgorithm* source)
   return actor;
 }
 
-/// Creates the rectangle [x0, x1] x [-5, 5] at a height.
+/// Creates the rectangle [x0, x1] x [-5, 5] at z = \a height.
 vtkSmartPointer<vtkActor> MakePlate(double height, double x0 = -5.0, double x1 = 5.0)
 {
   vtkNew<vtkPlaneSource> plane;
@@ -63,8 +63,8 @@ vtkSmartPointer<vtkActor> MakePlate(double height, double x0 = -5.0, double x1 =
   return MakeActor(plane);
 }
 
-/// Returns a camera with parallel projection that looks down from a height. The view is 2 units
-/// wide and 4 units deep.
+/// Returns a camera with parallel projection that looks down from z = \a height. The view is 2
+/// units wide and 4 units deep.
 vtkSmartPointer<vtkCamera> LookDown(double height)
 {
   auto camera = vtkSmartPointer<vtkCamera>::New();
@@ -77,7 +77,7 @@ vtkSmartPointer<vtkCamera> LookDown(double height)
   return camera;
 }
 
-/// Returns the x coordinate of a pixel column of LookDown().
+/// Returns the x coordinate of the pixel centers of column \a i in the view of LookDown().
 double GetX(int i)
 {
   return 2.0 * (i + 0.5) / Width - 1.0;
@@ -93,7 +93,7 @@ MixedScene MakeScene(double height, vtkLight* light)
   return scene;
 }
 
-/// Returns the unit cube around the origin with optical depth Tau.
+/// Returns a homogeneous unit cube centered at the origin, with optical depth Tau along each edge.
 SceneVolume MakeSmoke()
 {
   SceneVolume smoke = MakeHomogeneousScene(4, Tau);
@@ -109,7 +109,7 @@ void ExpectCenter(
   check.Near(pixel[3], alpha, Bound, what + ", alpha", 1.0);
 }
 
-/// A plate below a cube of smoke receives exp(-tau) of the light.
+/// A plate below a cube of smoke receives the fraction exp(-tau) of the light.
 void TestSmokeShadow(Check& check)
 {
   auto scene = MakeScene(-0.6, MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }));
@@ -217,7 +217,8 @@ void TestBoxShadow(Check& check)
   }
 }
 
-/// Returns the visible fraction of a light of size 1 that is cut by a line at \a s from its center.
+/// Returns the visible fraction of a square light with edge length 1 behind a straight edge at
+/// signed distance \a s from its center.
 double GetSquareFraction(double s)
 {
   return vtkMath::ClampValue(0.5 + s, 0.0, 1.0);
@@ -229,8 +230,8 @@ double GetRoundFraction(double s)
   return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / vtkMath::Pi();
 }
 
-/// A half plane at height dz above a plate and at depth z below a light of size L casts a penumbra
-/// of width L dz / z.
+/// A half plane at distance dz above a plate and z below a light of size L casts a penumbra of
+/// width L dz / z.
 void TestPenumbra(Check& check)
 {
   const double size = 0.5;
@@ -272,8 +273,8 @@ void TestPenumbra(Check& check)
   }
 }
 
-/// Tests a light with two points of different colors. A position in the shadow of one point has the
-/// color of the other.
+/// Tests a light sampled at two points of different colors. Where one point is hidden, the surface
+/// has the color of the other.
 void TestColoredPoints(Check& check)
 {
   auto scene = MakeScene(0.2, MakePositionalLight({ { 0.0, 0.0, 1.0 } }));
@@ -288,7 +289,8 @@ void TestColoredPoints(Check& check)
   check.Near(pixel[1], 1.0 / std::sqrt(1.0 + x * x + y * y), Bound, "green is visible", 1.0);
 }
 
-/// Tests normals, Phong's specular term, position-dependent colors, and mirrored actors.
+/// Tests the shading of a sphere with a specular term and position-dependent colors, with and
+/// without mirroring the actor.
 void TestShading(Check& check)
 {
   vtkNew<vtkSphereSource> sphere;

@@ -45,7 +45,8 @@ void ExpectPixel(Check& check, const RgbaImage& image, int i, int j, double alph
   check.Near(image.At(i, j)[3], alpha, Bound, what + ", alpha", 1.0);
 }
 
-/// Each pixel of a box of constant extinction has the alpha 1 - exp(-tau d).
+/// In a box of constant extinction tau, a pixel has the alpha 1 - exp(-tau d), where d is the
+/// length of its view ray in the box.
 void TestSlab(Check& check)
 {
   for (bool parallel : { true, false })
@@ -73,7 +74,8 @@ void TestSlab(Check& check)
   }
 }
 
-/// Compares extinction and color that increase along the view ray with closed forms.
+/// Compares integrals of extinction and color that vary linearly along a view ray with closed
+/// forms.
 void TestLinear(Check& check)
 {
   const auto integral = [](double a, double b, double c0, double c1)
@@ -104,12 +106,12 @@ void TestLinear(Check& check)
   weighted.Length = 3.0;
   weighted.Extinction = { { 1.0, 2.0 } };
   weighted.Weight = { { 0.5, 0.25 } };
-  // 3 times the integral of (1 + t) (1/2 - t/4).
+  // 3 times the integral of (1 + t) (1/2 - t/4) from 0 to 1.
   check.Near(
     Integrate(weighted).Depth, 3.0 * (0.5 + 0.125 - 1.0 / 12.0), 1e-14, "depth with weights");
 }
 
-/// Compares with VTK's closed forms of the same integral, which use single-precision tables.
+/// Compares Integrate() with VTK's integrator, which uses single-precision tables.
 void TestAgainstRayIntegrator(Check& check)
 {
   vtkNew<vtkVolume> volume;
@@ -204,7 +206,7 @@ void TestTwoSlabs(Check& check)
   ExpectPixel(check, draw(Blend::Composite), 4, 4, rest, { { 0.0, rest, 0.0 } }, "near plane");
 }
 
-/// Tests the integration mode that averages both ends of each segment, for rays of known length.
+/// Tests the integration mode that averages the values at both ends of each segment.
 void TestAverage(Check& check)
 {
   auto grid = MakeBox({ { 1, 1, 1 } });
@@ -214,7 +216,7 @@ void TestAverage(Check& check)
   AddLinear(grid, "depth", 0.0, { { 0.0, 0.0, 1.0 } });
   settings.Arrays.Scalars = "depth";
   settings.Mode = Integration::AverageColor;
-  // With a linear opacity function, the mean of each segment is exact for any tetrahedra.
+  // With a linear opacity function, the mean is exact for segments of any length.
   const RgbaImage straight = MakeReferenceImage(
     grid, MakeProperty({ { 0.0, Red, 0.5 }, { 1.0, Red, 1.5 } }), camera, settings);
   ExpectPixel(check, straight, 4, 4, -std::expm1(-1.0), { { -std::expm1(-1.0), 0.0, 0.0 } },

@@ -34,10 +34,10 @@ using namespace reference;
 
 constexpr double Bound = 1e-6;
 constexpr double Tau = 3.0;
-/// The center of an image of 5 x 5 pixels. Its view ray crosses the full cube.
+/// Row and column of the center pixel of a 5 x 5 image. The pixel's view ray crosses the full cube.
 constexpr int Center = 2;
 
-/// Returns the homogeneous cube seen along -z.
+/// Returns the homogeneous cube seen along -z and lit along \a light.
 ShadowScene FacingScene(const Double3& light)
 {
   ShadowScene scene = MakeHomogeneousScene(4, Tau);
@@ -108,7 +108,7 @@ void TestHomogeneous(Check& check)
 
 void TestCuts(Check& check)
 {
-  // Only the part z < 0.1 of the cube remains. The cut is between sample planes.
+  // Only the part z < 0.1 of the cube remains. The cut lies between two layers of image points.
   const double length = 0.6;
   const double alpha = -std::expm1(-Tau * length);
   const double along = -0.5 * std::expm1(-2.0 * Tau * length);
@@ -127,8 +127,8 @@ void TestCuts(Check& check)
   ExpectCenter(check, scene, Gray(along), alpha, "clipped");
 }
 
-/// At distance t along the light, the opacity is s t, and the optical depth is the integral of
-/// -ln(1 - s t).
+/// At distance t from the front face, the opacity is s t per unit distance of 0.2. The optical
+/// depth is the integral of -ln(1 - s t) / 0.2.
 void TestLinear(Check& check)
 {
   const double s = 0.9;
@@ -175,7 +175,7 @@ void TestShading(Check& check)
   scene.Lights[0]->SetAmbientColor(0.5, 1.0, 0.0);
   const double alpha = -std::expm1(-Tau);
   const double along = -0.5 * std::expm1(-2.0 * Tau);
-  // Normal (0, -0.6, 0.8), light and camera at +z: N.L 0.8, R = (0, -0.96, 0.28), E.R 0.28. The
+  // Normal (0, -0.6, 0.8), light and camera at +z: N.L = 0.8, R = (0, -0.96, 0.28), E.R = 0.28. The
   // bound is loose, because the view ray crosses the front and back boundaries, where gradients
   // change.
   const double glint = std::pow(0.28, 3.0);
@@ -202,7 +202,8 @@ void TestShading(Check& check)
 
 void TestGradient(Check& check)
 {
-  // f = g.x in world coordinates, with anisotropic spacing, permuted axes, and a scaled volume.
+  // The image values are g.x in world coordinates. The image has anisotropic spacing and permuted
+  // axes, and the volume is scaled.
   const Double3 g = { { 0.3, -0.7, 1.1 } };
   auto image =
     MakeImage({ { 4, 5, 6 } }, { { 0.1, 0.3, 0.2 } }, [](const Double3&) { return 0.0; });
@@ -259,7 +260,7 @@ void TestLights(Check& check)
   check.Near(ReferenceLightSource(light).At(outside).Diffuse[0], 0.0, 0.0, "outside the cone");
 }
 
-/// Two components with separate functions. Extinctions add up, and colors are weighted by
+/// Two components with separate transfer functions. Extinctions add up, and colors are weighted by
 /// extinction.
 void TestComponents(Check& check)
 {
@@ -293,7 +294,8 @@ void TestComponents(Check& check)
     check, scene, { { along, 0.0, 0.0 } }, -std::expm1(-Tau), "two dependent components");
 }
 
-/// Tests a slab of NaN voxels. Next to it, the extinction decreases to zero over one voxel.
+/// Sets one layer of image points to NaN. The extinction decreases linearly to zero over the
+/// adjacent layer of cells.
 void TestNan(Check& check)
 {
   auto scene = FacingScene({ { 0.0, 0.0, -1.0 } });
@@ -302,7 +304,7 @@ void TestNan(Check& check)
   {
     values->SetComponent(id, 0, std::numeric_limits<double>::quiet_NaN());
   }
-  // Half of the last voxel remains.
+  // Half of the optical depth of one of four layers of cells remains.
   const double depth = Tau * (1.0 - 0.125);
   ExpectCenter(check, scene, Gray(-0.5 * std::expm1(-2.0 * depth)), -std::expm1(-depth), "NaN");
 }

@@ -44,7 +44,7 @@ bool IsFinerThanBytes(const RgbaImage& image)
 void Compare(
   Check& check, vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, bool parallel)
 {
-  // The opacity is at most 1, since VTK's mapper stores it in 8 bits.
+  // The opacity function is at most 1, since VTK's mappers store opacity in 8 bits.
   auto property = MakeRamp(0.1, 1.0, 0.5);
   auto camera = LookAt(grid, Slanted, parallel);
   CameraSettings settings;
@@ -65,8 +65,8 @@ void Compare(
   check.That(IsFinerThanBytes(found), name + " is captured in floating point");
 }
 
-/// Setting the same lights again does not modify the renderer's collection, so no mapper detects a
-/// change.
+/// Setting the same lights again does not modify the renderer's light collection, so no mapper
+/// detects a change.
 void TestLights(Check& check)
 {
   check.SetContext("lights");

@@ -139,7 +139,7 @@ void TestOrientations(Check& check)
   transform->Scale(Size, Size, Size);
   CheckLast(check, rotation, 2, transform, 0.0, "rotation");
 
-  // A rotation by 180 degrees about the bisector of x and the direction.
+  // A rotation by 180 degrees about the bisector of the x-axis and the glyph's direction.
   Glyphs direction;
   direction.Orient(vtkGlyph3DMapper::DIRECTION, { 1.0, 2.0, 2.0 });
   transform = AtSecond();
@@ -217,7 +217,8 @@ void TestChoice(Check& check)
 
 void TestConcavePolygon(Check& check)
 {
-  // A fan from the first vertex would extend past the concave vertex, which is the second vertex.
+  // A triangle fan from the first vertex would leave the polygon at the concave vertex, which is
+  // the second vertex.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->InsertNextPoint(9.0, 9.0, 9.0);

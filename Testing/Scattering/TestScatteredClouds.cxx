@@ -72,7 +72,8 @@ int TestScatteredClouds(int, char*[])
     GetError(Draw(stage, scene, vtkShadowedSliceMapper::FULL_SCATTERING), all);
   std::cout << "single against one scattering: " << first << "; against all orders: single "
             << singleError << ", forward " << forwardError << ", full " << fullError << "\n";
-  // The resolution of the light buffer affects view rays along the cloud's edge.
+  // The bound allows for the resolution of the light buffer, which affects view rays along the
+  // cloud's edge.
   check.That(first < 0.12, "single scattering: " + std::to_string(first));
   check.That(fullError < forwardError && forwardError < singleError,
     "full scattering has the smallest error");

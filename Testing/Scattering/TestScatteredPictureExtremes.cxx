@@ -35,7 +35,7 @@ namespace
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
 
-/// Smallest and largest color values of an image. IsFinite is true if all values are finite.
+/// Smallest value and largest color value of an image. IsFinite is true if all values are finite.
 struct Range
 {
   explicit Range(const RgbaImage& image)
@@ -146,7 +146,7 @@ void TestMedia(Table& table)
   }
   for (const double g : { -0.99, -0.5, 0.5, 0.99 })
   {
-    // The peak of single scattering is visible if light and view are collinear.
+    // If the light and view directions are collinear, the peak of single scattering is visible.
     table.Draw(
       "anisotropy" + std::to_string(g), "anisotropy " + std::to_string(g), MakeSmallScene(),
       [=](vtkShadowedSliceMapper* mapper)
@@ -159,7 +159,7 @@ void TestMedia(Table& table)
   for (const double depth : { 1e-6, 1e4 })
   {
     auto scene = MakeHomogeneousScene(12, 1.0);
-    // In a dense medium, the opacity per tenth of a unit is indistinguishable from 1.
+    // Set the optical depth by the unit distance, since an opacity of 1 - exp(-1e4) rounds to 1.
     scene.Property->SetScalarOpacityUnitDistance(1.0 / depth);
     table.Draw(depth < 1.0 ? "depth-1e-6" : "depth-1e+4",
       depth < 1.0 ? "an optical depth of 1e-6" : "an optical depth of 1e4", scene, none,
@@ -238,7 +238,7 @@ void TestLights(Table& table)
   draw("lights-16", "sixteen lights on all sides", many);
 }
 
-/// Replaces the lights by lights from all directions with total intensity 1. Each face of a cube
+/// Replaces the lights with lights from all directions with total intensity 1. Each face of a cube
 /// receives a quarter of this intensity, as from uniform light.
 void SetUniformLight(ShadowScene& scene)
 {
@@ -258,8 +258,8 @@ void SetUniformLight(ShadowScene& scene)
   }
 }
 
-/// Opaque cubes without absorption in light from all directions reflect all of it: each pixel has
-/// the value 1 for any optical depth of a cell of the scattering grid.
+/// Optically thick cubes without absorption, lit from all directions, reflect all light: each
+/// opaque pixel is close to 1 for any optical depth per cell of the scattering grid.
 void TestThickCubes(Table& table)
 {
   vtkNew<Mapper> mapper;
@@ -298,8 +298,8 @@ void TestThickCubes(Table& table)
   }
 }
 
-/// Light from all directions, with total intensity 1: for random settings, no pixel is brighter
-/// than 1, and no image is brighter on average than its opacity.
+/// Lights the scene from all directions with total intensity 1. For random settings, no pixel is
+/// much brighter than 1, and no image is brighter on average than its opacity.
 void TestRandomSettings(Table& table, int settings, bool isThin)
 {
   std::mt19937 random(3);
@@ -319,7 +319,7 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
     const Double3 position{ { uniform(-1.0, 1.0), uniform(-1.0, 1.0), -1.0 } };
     scene.Camera = LookAt(scene.Image, position, random() % 2 == 0);
     const int mode = 1 + static_cast<int>(random() % 3);
-    // Phase functions narrower than the angle between lights would resolve single lights.
+    // Phase functions narrower than the angle between lights would resolve individual lights.
     SetMode(mapper, mode, uniform(-0.3, 0.3));
     SetAlbedo(mapper, random() % 2 == 0 ? 1.0 : uniform(0.0, 1.0));
     mapper->SetForwardSpread(random() % 2 == 0 ? 0.0 : uniform(0.0, 1.0));

@@ -140,8 +140,8 @@ void TestTranslucent(Check& check)
   check.Near(half / complete, 0.5, 0.01, "half of the light with a translucent sheet", 1.0);
 }
 
-/// A plate along the light direction blocks scattered light, so that half a cube next to it is lit
-/// like a separate half cube.
+/// A plate parallel to the light direction blocks scattered light: the half of the cube next to it
+/// is lit like a separate half cube.
 void TestBlocked(Check& check)
 {
   Stage stage;
@@ -197,7 +197,7 @@ public:
       this->Medium, { this->Light }, interlume::ScatteringMode::Full, {}, this->Field, report));
   }
 
-  /// Returns the received light by the formula in SceneScatteredLight.h.
+  /// Returns the received light according to the formula in SceneScatteredLight.h.
   double GetFormula(double distance) const
   {
     double sum = 0.0;
@@ -212,8 +212,7 @@ public:
     return sum * disk / (disk + distance * distance);
   }
 
-  /// Returns the received light by integration along rays in all directions of the upper half
-  /// space.
+  /// Returns the received light, integrated along rays in all directions of the upper hemisphere.
   double GetIntegral(double distance) const
   {
     constexpr int lines = 4000;
@@ -262,8 +261,8 @@ private:
   interlume::ScatteredLight Field;
 };
 
-/// A white floor below the cube receives the light that the formula predicts, in addition to the
-/// light without multiple scattering.
+/// In addition to the light without multiple scattering, a white floor below the cube receives the
+/// light that the formula of FloorLight predicts.
 void TestReceived(Check& check)
 {
   constexpr double distance = 0.25;
@@ -306,7 +305,8 @@ void TestReceived(Check& check)
     check.Near(once, 0.8 * std::exp(-3.0), 0.01, name + ": light transmitted by the cube", 1.0);
     check.Near(lit, 0.8, 1e-3, name + ": all light without shadows", 1.0);
     check.Near((full - once) / expected, 1.0, 0.05, name + ": received light", 1.0);
-    // The center of the face is brighter than its edges.
+    // The formula uses the center of the bottom face, which is brighter than the edges of this
+    // face.
     check.Near(expected / floorLight.GetIntegral(distance), 1.2, 0.25, name + ": formula", 1.0);
   }
   check.Equal(stage.Pass->GetReport()->GetCount("SeparateScatteringVolumes"), 0,
@@ -456,7 +456,7 @@ struct TwoVolumes : Stage
   vtkNew<vtkVolume> Volume;
 };
 
-/// Two volumes far apart that share slices are each lit as if they were alone.
+/// Each of two distant volumes that share slices is lit as if it were alone.
 void TestVolumes(Check& check)
 {
   TwoVolumes stage;

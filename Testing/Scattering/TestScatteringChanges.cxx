@@ -194,7 +194,8 @@ void TestChanges(Check& check)
     check.Near(CompareImages(rotated[i], DrawByNewMapper(again)).Max, 0.0, 0.0,
       "rotated view: same image as by a new mapper", 1.0);
   }
-  // Another mapper may mark the data as changed, so the new mappers draw a second scene.
+  // Drawing with another mapper may mark the data as modified, so the new mappers draw a second
+  // scene.
   State other;
   for (const Change& change : GetChanges())
   {

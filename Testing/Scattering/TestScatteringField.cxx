@@ -37,7 +37,7 @@ using interlume::ScatteredLight;
 using interlume::ScatteringLight;
 using interlume::ScatteringMedium;
 
-/// Number of cells along the cube's edge of length 1.
+/// Number of cells along each edge of the unit cube.
 constexpr int Cells = 16;
 
 void SetMode(vtkShadowedSliceMapper* mapper, int mode, double g)
@@ -59,7 +59,7 @@ ShadowScene MakeCube(double extinction, const Double3& direction)
   return scene;
 }
 
-/// Returns the mean over the image, except its border.
+/// Returns the mean pixel value of the image without its border.
 double GetMean(const RgbaImage& image, int border = 2)
 {
   double sum = 0.0;
@@ -74,8 +74,8 @@ double GetMean(const RgbaImage& image, int border = 2)
   return sum / count;
 }
 
-/// Returns the mean of the image, computed from the solver's field: the sources in the cells of
-/// each column, attenuated toward the camera, without single scattering.
+/// Returns the mean pixel value expected from the solver's field: the source terms of each column
+/// of cells, attenuated toward the camera, without single scattering.
 double GetSolved(double extinction, double g, const Double3& direction, bool isFull)
 {
   ScatteringMedium medium;
@@ -150,7 +150,8 @@ void TestAgainstSolver(Check& check)
   }
 }
 
-/// Returns fourteen lights with the weights of a spherical quadrature rule of degree 5 (Lebedev).
+/// Returns fourteen lights with the directions and weights of a spherical quadrature rule of degree
+/// 5 (Lebedev).
 std::vector<vtkSmartPointer<vtkLight>> MakeFurnace()
 {
   std::vector<vtkSmartPointer<vtkLight>> lights;
@@ -234,8 +235,8 @@ private:
 };
 
 /// A medium without absorption in light from all directions is indistinguishable from its
-/// background, except for the difference of fourteen lights from uniform light. Path tracing with
-/// the same lights yields this difference.
+/// background, except for the error of approximating uniform light by fourteen lights. Path tracing
+/// with the same lights has the same error.
 void TestFurnace(Check& check)
 {
   for (const double depth : { 0.1, 1.0, 3.0, 10.0 })
@@ -269,9 +270,9 @@ void TestFurnace(Check& check)
       std::cout << name << ": mean " << found.GetMean() << " for " << expected.GetMean() << " +- "
                 << noise << ", largest difference of blocks " << found.GetDifference(expected)
                 << ", brightest " << largest << std::endl;
-      // With 400 paths per pixel, the means differ by at most 0.008 up to depth 3 and by 0.024 at
-      // depth 10. The smallest blocks combine 64 pixels, so their noise is four times the noise of
-      // the mean.
+      // With 400 paths per pixel, the measured means differ by at most 0.008 up to depth 3 and by
+      // 0.024 at depth 10. The smallest blocks combine 64 pixels, so their noise is four times the
+      // noise of the mean.
       check.Near(found.GetMean(), expected.GetMean(), noise + (depth < 5.0 ? 0.008 : 0.025),
         name + ": mean", 1.0);
       check.Near(found.GetDifference(expected), 0.0, 0.045 + 12.0 * noise, name + ": blocks", 1.0);

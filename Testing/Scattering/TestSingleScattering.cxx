@@ -43,7 +43,8 @@ double GetPhase(double g, const Double3& light, const Double3& view)
   return (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
 }
 
-/// Returns the largest difference of \a a from \a factor times \a b, relative to the largest value.
+/// Returns the largest difference between \a a and \a factor times \a b, relative to the largest
+/// value.
 double GetDifference(const RgbaImage& a, const RgbaImage& b, double factor)
 {
   double largest = 0.0;

@@ -52,7 +52,7 @@ private:
   interlume::ImageQuad Quad;
 };
 
-// Returns an image channel at \a x in [0, 1], interpolated between the pixel centers.
+// Returns the value of an image channel at \a x in [0, 1], interpolated between pixel centers.
 double Sample(int channel, double x)
 {
   const double weight = std::min(std::max((x - 0.25) / 0.5, 0.0), 1.0);

@@ -75,7 +75,7 @@ void CheckElementary(Check& check)
   }
 }
 
-// Parameters of a vortex tube, as documented in the class.
+// Parameters of a vortex tube, as in VortexTubes.cxx.
 struct Tube
 {
   Vector Center, Velocity, Along;
@@ -100,8 +100,8 @@ struct TubeAtTime
       0.5 * c.Bend * std::cos(1.6 * angle) * this->E2;
   }
 
-  // Evaluates the tube at an \a offset from the axis point \a s, perpendicular to the straight
-  // axis.
+  // Evaluates the tube at \a offset from the axis point with parameter \a s. The offset is
+  // perpendicular to the straight axis.
   double Evaluate(double s, const Vector& offset) const
   {
     const Tube& c = this->Constants;

@@ -126,8 +126,8 @@ bool IsFreeOfDivergence(int field)
     field != vtkAnalyticFlowSource::COUPLED_CHARGE;
 }
 
-// Compares the Jacobian with fourth-order finite differences, except where these cross the edge of
-// a core.
+// Compares the Jacobian with fourth-order finite differences, except where their stencil crosses
+// the edge of a core.
 void CheckDerivatives(Check& check)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -165,7 +165,7 @@ void CheckDerivatives(Check& check)
         {
           const double wide = (v[3][i] - v[0][i]) / (4.0 * h);
           const double narrow = (v[2][i] - v[1][i]) / (2.0 * h);
-          // The field is smooth if both differences agree.
+          // The field is considered smooth where the finite differences with both step sizes agree.
           if (std::abs(wide - narrow) < 3e-3 * (size + 1.0))
           {
             ++compared;

@@ -37,8 +37,8 @@ bool IsBoundTight(int model)
     model != vtkConstructiveModelSource::TEDDY_BEAR;
 }
 
-// Checks that the density of a sampled model is confined to its documented box and extends close to
-// each side. Returns the volume.
+// Checks that the density of a sampled model is confined to its documented bounding box and extends
+// close to each of its sides. Returns the volume.
 double CheckBox(int model, Check& check)
 {
   vtkNew<vtkConstructiveModelSource> source;

@@ -190,8 +190,8 @@ void CheckSubsamples(Check& check)
   }
 }
 
-// Points next to an object have the object's color and points farther away have no color, even at
-// the sides of the image.
+// Points next to an object have the object's color, and points farther away have no color, even at
+// the boundary of the image.
 void CheckNeighbors(Check& check)
 {
   check.SetContext("neighbors");
@@ -276,7 +276,7 @@ void CheckFit(Check& check)
     {
       sum += values->GetTuple1(i);
     }
-    // Rounding decides whether points on the sides are inside.
+    // Rounding decides whether points on the faces of the box are inside.
     check.That(sum >= 19 * 9 * 6 && sum <= 21 * 11 * 6, "points inside the box");
   }
   box->SetShapeToHalfSpace();

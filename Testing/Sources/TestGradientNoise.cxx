@@ -30,8 +30,8 @@ Vector GetRandomPoint(vtkMinimalStandardRandomSequence* random, double size)
   return x;
 }
 
-// The expected values come from a separate program: a direct translation of the published code to
-// exact fractions.
+// The expected values come from a separate program that directly translates the published code to
+// exact rational arithmetic.
 void CheckPublished(Check& check)
 {
   check.SetContext("published");
@@ -101,7 +101,7 @@ void CheckSmoothness(Check& check)
     const double right = (noise.Evaluate(after.data()) - midpoint) / h;
     reference::KeepLargest(largest, std::fabs(right - left));
   }
-  // The second derivative is below 100.
+  // The second derivative is below 100 in magnitude.
   check.Near(largest, 0.0, 100.0 * h, "jump of the derivative", 1.0);
   double sum = 0.0;
   double bound = 0.0;
@@ -161,7 +161,7 @@ void CheckSeeds(Check& check)
       interlume::GradientNoise(1).Evaluate(x.data());
   }
   check.That(equal < 100, "other seeds yield other noise");
-  // The value does not depend on the standard library.
+  // The values do not depend on the C++ standard library.
   check.Near(interlume::GradientNoise(1).Evaluate(Vector{ { 0.25, 3.5, -7.625 } }.data()),
     -0.18859511613845825, 1e-13, "value", 1.0);
   check.Near(interlume::GradientNoise(-20).Evaluate(Vector{ { 100.5, 31.25, 8.75 } }.data()),

@@ -76,7 +76,7 @@ void CheckVolumes(Check& check)
   model->Update();
   CheckReport(model->GetReport(), { Points, 27 * Points, 4 * Points, 0.0 }, "subsamples", check);
   model->SetOutputModeToColorBytes();
-  // The piece is extended by one layer of points, but not outside the whole extent.
+  // The requested extent is enlarged by one layer of points, but not beyond the whole extent.
   const int part[6] = { 2, 3, 0, 1, 4, 4 };
   model->UpdateExtent(part);
   CheckReport(model->GetReport(), { 4, 27 * 4 * 3 * 2, 16, 0.0 },

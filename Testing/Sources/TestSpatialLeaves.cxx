@@ -161,8 +161,7 @@ void CheckImage(Check& check)
   object->SetColorArrayName(nullptr);
   object->Evaluate(x, sample);
   check.Near(sample.Color[0], 1.0, 0.0, "red without an array");
-  // Between the last two points of a row, of which the last is NaN. The other value is 100, and
-  // half of it contributes.
+  // The last two values of a row are 100 and NaN. Midway between them, half of 100 contributes.
   values->SetComponent(image->GetNumberOfPoints() - 2, 0, 100.0);
   values->SetComponent(image->GetNumberOfPoints() - 1, 0, std::nan(""));
   values->Modified();

@@ -45,7 +45,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeOperand(int i)
   return primitive;
 }
 
-// The definitions of Chen and Tucker's scalar functions.
+// Implements the definitions of the scalar functions by Chen and Tucker.
 Sample Combine(int operation, const Sample& a, const Sample& b)
 {
   Sample c = a;

@@ -187,7 +187,7 @@ void CheckVolumes(Check& check)
       source->SetRoot(MakePrimitive(shape, scale));
       for (int points : { 40, 80, 160 })
       {
-        // Every point is the center of a cell of the region.
+        // The points are the centers of cells that fill the region.
         const double half = scale * (1.0 - 1.0 / points);
         source->SetBounds(-half, half, -half, half, -half, half);
         source->SetDimensions(points, points, points);

@@ -31,7 +31,8 @@ struct Wake
     return 2.0 * (this->Bottom + (this->Top - this->Bottom) * z / this->Height);
   }
 
-  // Sums over many vortices, except vortices that do not exist yet or have decayed.
+  // Sums the contributions of many vortices, except those that have not been shed yet or have
+  // decayed.
   double DeficitOfCell(int cell, const double x[3], double t) const
   {
     const double f =

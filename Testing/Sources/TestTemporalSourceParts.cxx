@@ -77,8 +77,8 @@ vtkIdType ComparePart(vtkDataSet* part, vtkDataSet* whole, Check& check)
   return point;
 }
 
-// Modified() is necessary, because otherwise the pipeline would reuse the full output for every
-// subextent.
+// Checks a subextent and pieces. Without Modified(), the pipeline would reuse the full output for
+// each of them.
 void CheckParts(const TemporalSource& source, vtkDataSet* whole, Check& check)
 {
   const Extent all = GetExtent(whole);

@@ -22,8 +22,8 @@ namespace stability
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Runs \a tests with the catalog of a test and returns the exit code. Cases belong to
-/// \a className unless a test sets another class.
+/// Runs \a tests with the catalog of the test program \a test and returns the exit code. Cases
+/// belong to \a className unless a test sets another class.
 int RunCases(const std::string& test, const std::string& className, int argc, char* argv[],
   std::initializer_list<void (*)(StabilityCatalogue&)> tests);
 
@@ -38,8 +38,8 @@ Messages UpdateFilter(vtkAlgorithm* filter);
 /// Returns true if no output has points.
 bool IsEmpty(vtkAlgorithm* filter);
 
-/// Reports whether a filter has empty outputs and an error with all of \a words, and works after \a
-/// mend is called.
+/// Reports whether a filter has empty outputs and an error that contains all of \a words, and works
+/// after \a mend is called.
 void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
   const std::string& extreme, const std::vector<std::string>& words,
   const std::function<void()>& mend);
@@ -50,7 +50,7 @@ inline void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter,
   ReportRefused(catalogue, filter, name, extreme, std::vector<std::string>{ words }, mend);
 }
 
-/// Reports whether a filter has no error, empty outputs, and a warning with \a words.
+/// Reports whether a filter has no error, empty outputs, and a warning that contains \a words.
 void ReportEmpty(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
   const std::string& extreme, const std::string& words);
 
@@ -58,7 +58,7 @@ void ReportEmpty(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std:
 /// Returns NaN if the array is null or empty.
 double CountOutside(vtkDataArray* array, double lower, double upper);
 
-/// Returns a number as short text.
+/// Formats a number with at most six significant digits.
 std::string Short(double value);
 
 }

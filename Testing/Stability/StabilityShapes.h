@@ -13,8 +13,9 @@ class vtkTerminationSurface;
 namespace stability
 {
 
-/// A surface scaled by \a size and moved to \a midpoint along x. At size 1 it has the given area,
-/// and the point Position has the given distance from the surface.
+/// A kind of termination surface. Make() scales the surface by \a size and moves it by \a midpoint
+/// along x. At size 1, Area is the surface's area, and Distance is its distance from the point
+/// Position.
 struct Shape
 {
   std::function<vtkSmartPointer<vtkTerminationSurface>(double size, double midpoint)> Make;
@@ -24,7 +25,7 @@ struct Shape
   double Distance;
 };
 
-/// Returns a plane, a sphere, a box, a cylinder, a tube and a mesh.
+/// Returns one shape of each kind: plane, sphere, box, cylinder, tube and mesh.
 std::vector<Shape> MakeShapes();
 
 }

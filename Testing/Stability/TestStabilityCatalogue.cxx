@@ -43,8 +43,8 @@ void TestExitCodes()
   Expect(thing.GetExitCode() == EXIT_FAILURE, "one failed case fails the test");
 }
 
-/// Creates a program and the list of tests. Call this before writing reports, which must not be
-/// older than the program.
+/// Creates a file that stands for the test program, and the list of tests. Call this before writing
+/// reports, which must not be older than the program.
 void ListTests(const std::string& folder, const std::vector<std::string>& tests)
 {
   std::filesystem::create_directories(folder);

@@ -83,7 +83,7 @@ void TestInvertedCells(StabilityCatalogue& catalogue)
   }
 }
 
-/// Returns a mesh whose cells share no point ids, although the coordinates coincide.
+/// Returns a mesh whose cells share no point ids, although their point coordinates coincide.
 vtkSmartPointer<vtkUnstructuredGrid> Separated(vtkUnstructuredGrid* mesh)
 {
   MeshBuilder builder;

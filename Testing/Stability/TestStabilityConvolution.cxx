@@ -31,8 +31,8 @@ Vector Rotate(const Vector& x)
   return { { -x[1], x[0], 0.25 } };
 }
 
-/// Returns an image of the cube [-2, 2]^3 scaled by \a size, with the vectors of \a field scaled by
-/// \a speed.
+/// Returns an image of \a field in the cube [-2, 2]^3. The cube is scaled by \a size, and the
+/// vectors are scaled by \a speed.
 vtkSmartPointer<vtkImageData> MakeImage(
   const VectorField& field, double size = 1.0, double speed = 1.0, int points = 17)
 {
@@ -214,7 +214,7 @@ void TestStill(StabilityCatalogue& catalogue)
   const std::string words = UpdateFilter(some).Errors;
   catalogue.Measure("infinite-points", "three infinite vectors", "values outside [0, 1]",
     words.empty() ? CountOutside(GetValues(some), 0.0, 1.0) : NaN, 0.0);
-  // Points in the cells that use an infinite vector are at rest as well.
+  // All points of a cell with an infinite vector at one of its corners are at rest as well.
   catalogue.Measure("infinite-points-rest", "three infinite vectors",
     "points at rest except the three, among their 26 + 7 + 7 neighbors",
     some->GetReport()->GetNumber("PointsAtRest") - 3.0, 40.0);

@@ -29,7 +29,7 @@ BoxGrid MakeBoxGrid(const Position& spacing, int number)
   return lattice;
 }
 
-/// Returns a flow with speed 1 in x that is attracted to the curve y = sin(x), z = 0 at \a rate.
+/// Returns a flow with speed 1 along x that is attracted to the curve y = sin(x), z = 0 at \a rate.
 Flow AttractToCurve(double rate)
 {
   Flow flow;
@@ -48,8 +48,8 @@ Flow AttractToCurve(double rate)
   return flow;
 }
 
-/// Returns the integration methods that were used, with their numbers of steps including rejected
-/// ones.
+/// Returns the integration methods that were used and their numbers of steps, including rejected
+/// steps.
 std::string DescribeMethod(const interlume::AdvectionResult& result)
 {
   const int stiff = result.StiffSteps + result.RejectedStiffSteps;
@@ -57,8 +57,8 @@ std::string DescribeMethod(const interlume::AdvectionResult& result)
   return stiff == 0 ? others : "Rosenbrock: " + std::to_string(stiff) + ", " + others;
 }
 
-/// Reports steps and errors of all methods for several eigenvalue ratios, in one cell and across
-/// cells.
+/// Reports the number of steps and the error of each method for several eigenvalue ratios, in one
+/// cell and across cells.
 void TestStiff(StabilityCatalogue& catalogue)
 {
   const BoxGrid lattice = MakeBoxGrid({ 0.3, 0.3, 0.3 }, 61);
@@ -109,7 +109,7 @@ void TestStiff(StabilityCatalogue& catalogue)
                                                       : std::nan(""),
           10.0 * options.MaximumError * time, chosen);
         // The field has kinks at cell faces, and the step control restarts after each face. At rate
-        // 1e6 rounding errors in the step control change the number of steps by 5 %.
+        // 1e6, rounding errors in the step control change the number of steps by 5 %.
         catalogue.Measure(name + "-steps", extreme,
           "number of steps, with Rosenbrock steps for rates above 100",
           rate > 100.0 && result.StiffSteps == 0 ? std::nan("") : steps,
@@ -126,8 +126,8 @@ void TestStiff(StabilityCatalogue& catalogue)
   catalogue.Measure("not-stiff", "a nonstiff chaotic field", "number of Rosenbrock steps",
     result.StiffSteps, 0.0, DescribeMethod(result));
   options.MaximumError = 1e-6;
-  // In a field with a stiff half, integration must return to the explicit method after it leaves
-  // this half.
+  // In a field with a stiff half, integration must return to the explicit method after leaving this
+  // half.
   Flow passing = AttractToCurve(1.0);
   const auto rate = [](double x) { return x < 0.0 ? 1e4 : 0.1; };
   passing.Velocity = [rate](const double* x, double* v)
@@ -240,7 +240,8 @@ void TestFields(StabilityCatalogue& catalogue)
     Describe(around), around.Status == vtkFlowStatus::OUT_OF_TIME);
   lattice.IsFinite = nullptr;
 
-  // An oblique streamline through a shear layer of thickness 1e-4. Its x is the integral of tanh.
+  // An oblique streamline through a shear layer of thickness 1e-4. Its x coordinate is an integral
+  // of tanh.
   const Flow shear = Flow::ShearLayer(1e-4, { 0, 0.25, 0 });
   options.MaximumTime = 3.2;
   for (bool isLattice : { false, true })

@@ -95,7 +95,7 @@ vtkSmartPointer<vtkDataSet> MakeCurvilinear(double size)
   return grid;
 }
 
-/// Returns a grid around the z-axis whose last angle almost coincides with the first.
+/// Returns a structured grid around the z-axis whose last angle almost coincides with the first.
 vtkSmartPointer<vtkDataSet> MakeClosed(double size)
 {
   constexpr int angles = 12;
@@ -174,8 +174,8 @@ void SetFlow(vtkDataSet* field, double size, double speed)
     });
 }
 
-/// Returns the largest difference after division by \a scale, or NaN if array sizes differ or a
-/// value is not finite. Surface parameters are compared as angles.
+/// Divides the values of \a data by \a scale and returns the largest difference from \a expected,
+/// or NaN if array sizes differ or a value is not finite. Periodic values are compared modulo 1.
 double Compare(vtkFieldData* data, vtkFieldData* expected, const std::string& name, double scale,
   bool isPeriodic = false)
 {
@@ -192,14 +192,14 @@ double Compare(vtkFieldData* data, vtkFieldData* expected, const std::string& na
     {
       double error = array->GetComponent(i, c) / scale - other->GetComponent(i, c);
       error = isPeriodic ? error - std::round(error) : error;
-      // A NaN fails the comparison and is stored.
+      // KeepLargest() stores NaN, which fails the comparison.
       reference::KeepLargest(largest, std::abs(error));
     }
   }
   return largest;
 }
 
-/// Returns the difference from the results at size 1 in parameters, times and lengths.
+/// Returns the sum of each result array's largest difference from the results at size 1.
 double CompareResults(vtkDataSet* output, vtkDataSet* expected, double size, double time)
 {
   const auto compare = [&](const std::string& name, double scale, bool isPeriodic = false)
@@ -229,7 +229,8 @@ int CountReached(vtkDataSet* output)
 
 using Setting = std::function<void(vtkImplicitFlowField*, double size, double speed)>;
 
-/// Reports the difference from the results at size 1, some of which must be on surfaces.
+/// Reports the difference from the results at size 1, where more than 10 samples must have reached
+/// a surface.
 void ReportSizes(StabilityCatalogue& catalogue, const std::string& name, const Kind& kind,
   const std::string& condition, double speed, const Setting& set)
 {
@@ -329,7 +330,7 @@ void TestSettings(StabilityCatalogue& catalogue)
           filter->AddTerminationSurface(shapes[0].Make(size, 0.013 * size));
           filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
           filter->SetSampleDimensions(17, 17, 17);
-          // The samples are above the plane, so that groups of neighboring samples all reach it.
+          // All samples are above the plane, so that whole groups of neighboring samples reach it.
           filter->SetSampleBounds(
             0.6 * size, 1.2 * size, 0.6 * size, 1.2 * size, 0.2 * size, 0.8 * size);
           filter->SetMaximumError(error * speed);
@@ -339,7 +340,8 @@ void TestSettings(StabilityCatalogue& catalogue)
   }
 }
 
-/// Checks the number of samples that represent an unstructured grid with more than 32768 points.
+/// Checks that the number of samples of an unstructured grid with more than 32768 points does not
+/// depend on the grid's size.
 void TestVoxels(StabilityCatalogue& catalogue)
 {
   const auto count = [](double size)

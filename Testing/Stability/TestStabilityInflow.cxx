@@ -29,8 +29,8 @@ namespace
 using namespace reference;
 using namespace stability;
 
-/// Returns samples of uniform flow from the plane x = 0 in a cube, with (y,z) as parameters. If \a
-/// isReached is false, no sample reaches the plane.
+/// Returns samples in a cube with uniform flow along x. They reach the plane x = 0 at the
+/// parameters (y, z) / \a size, or no surface if \a isReached is false.
 vtkSmartPointer<vtkImageData> MakeSamples(
   int points, double size = 1.0, double speed = 0.5, bool isReached = true)
 {
@@ -142,7 +142,7 @@ void TestMapping(StabilityCatalogue& catalogue)
     messages.Warnings.find("0 reached") != std::string::npos ? CountValues(mapping) : NaN, 0.0);
 }
 
-/// A pipeline whose flow volume is a cylinder with a circular inflow region.
+/// Generates the flow volume of an inflow region, by default a cylinder above a disk.
 struct Pipeline
 {
   vtkNew<vtkInflowMapping> Mapping;
@@ -220,7 +220,7 @@ void TestVolumeSettings(StabilityCatalogue& catalogue)
   catalogue.Measure("bounds-1e308", "interval and times up to 1e308",
     "relative error of the volume of the domain",
     all.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) - 1.0 : NaN, 1e-13);
-  // Adjacent intervals together fill the same region, but each interval adds rounding errors.
+  // Adjacent intervals together fill the whole domain, but each interval adds rounding errors.
   for (int i = 0; i < 1000; ++i)
   {
     pipeline.Volume->SetInterval(i, -0.1 + 0.0007 * i, -0.1 + 0.0007 * (i + 1));
@@ -290,7 +290,7 @@ void TestParameters(StabilityCatalogue& catalogue)
       "relative error of a circle's length" + words, length / (0.6 * vtkMath::Pi()) - 1.0,
       4.0 / squares / squares);
   }
-  // The contour lies between the nodes of the squares, so it is not found.
+  // The contour lies inside a square and encloses none of the square's corners, so it is not found.
   double along = NaN;
   MeasureContour(1.0, 0.0036, 4, "(u-0.62)^2+(v-0.62)^2", words, &along);
   catalogue.Measure("contour-small", "a contour smaller than a square", "largest s", along, 0.0);

@@ -81,7 +81,7 @@ void SetArray(Filter* filter, const char* name)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
 }
 
-/// Returns cases with invalid scalar arrays, for either type of filter.
+/// Returns cases with invalid scalar arrays, for vtkIntervalVolume or vtkIsotableContour.
 template <typename Filter>
 std::vector<ErrorCase<Filter>> ArrayCases(const std::function<void(Filter*)>& set)
 {

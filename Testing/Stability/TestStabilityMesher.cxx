@@ -42,7 +42,8 @@ void Refuse(StabilityCatalogue& catalogue, const std::string& name, const std::s
     [&]() { mesher->SetInputDataObject(MakeCube()); });
 }
 
-/// Reports whether the mesher meshes \a input with positive tetrahedra that fill \a volume.
+/// Reports whether the mesher meshes \a input with tetrahedra of positive volume, \a volume in
+/// total.
 void Accept(StabilityCatalogue& catalogue, const std::string& name, const std::string& extreme,
   double volume, double bound, vtkDataSet* input, double quality = 0.0)
 {

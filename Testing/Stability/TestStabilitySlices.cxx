@@ -30,8 +30,8 @@ using namespace reference;
 using namespace stability;
 namespace files = std::filesystem;
 
-/// Returns 4-simplices that fill [0,1]^3 x [0,3], with times multiplied by \a step and shifted by
-/// \a offset.
+/// Returns 4-simplices that fill [0,1]^3 x [0,3]. Times are multiplied by \a step and shifted by
+/// \a offset, and coordinates are multiplied by \a size.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSimplices(
   double step = 1.0, double offset = 0.0, double size = 1.0)
 {
@@ -107,7 +107,8 @@ void TestSimplices(StabilityCatalogue& catalogue)
     slice->SetTime(t);
     ReportEmpty(catalogue, slice, "outside-" + Short(t), "a slice outside the time range", "time");
   }
-  // Removing an interior point leaves a hole, because 4-simplices surround it.
+  // 4-simplices with a time that is not finite are skipped, so an interior point with such a time
+  // causes a hole.
   auto broken = MakeSimplices();
   auto* times = broken->GetPointData()->GetArray("Time");
   for (vtkIdType i = 0; i < times->GetNumberOfTuples(); i += 40)

@@ -37,7 +37,7 @@ using Number = long double;
 const Number Pi = std::acos(Number(-1));
 
 /// Returns the largest difference between a field and a formula at time t, relative to the largest
-/// value.
+/// value of the formula.
 double ErrorOfField(
   vtkAnalyticFieldSource* source, double t, const std::function<Number(const double* x)>& formula)
 {
@@ -169,7 +169,7 @@ void TestFlows(StabilityCatalogue& catalogue)
     catalogue.Measure("shear" + at, "a layer with " + extreme, "relative error of the speed in it",
       ErrorOfFlow(source, { 0.0, 0.0, size }, 0, static_cast<double>(std::tanh(Number(1)))), 1e-14);
     source->SetField(vtkAnalyticFlowSource::SOURCE_SINK);
-    // Settings are clamped to 1e12.
+    // The separation is clamped to 1e12, so large sizes have a smaller core.
     const double core = size > 1.0 ? 1e-3 * size : size;
     source->SetCoreRadius(core);
     source->SetSeparation(1e3 * core, 0.0, 0.0);

@@ -30,7 +30,7 @@ namespace
 using namespace reference;
 using namespace stability;
 
-/// Returns the area in units of \a size squared.
+/// Returns the total area of the triangles in units of \a size squared.
 double MeasureTriangles(vtkPolyData* data, double size)
 {
   double sum = data->GetNumberOfPolys() > 0 ? 0.0 : NaN;

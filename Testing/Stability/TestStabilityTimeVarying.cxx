@@ -67,8 +67,8 @@ Outcome Run(const TimeSteps& steps, const std::vector<Interval>& intervals)
     messages.Warnings };
 }
 
-/// Returns the larger of the hypervolume errors of 4-simplices and tetrahedra, or NaN on an error
-/// message.
+/// Returns the larger of the relative hypervolume errors of 4-simplices and tetrahedra, or NaN if
+/// there is an error message.
 double ErrorOf(const Outcome& outcome, double expected)
 {
   if (!outcome.Errors.empty() || !(expected > 0))
@@ -112,7 +112,7 @@ void TestTimes(StabilityCatalogue& catalogue)
     catalogue.Measure(one.Name, one.Extreme, "relative error of the domain's hypervolume",
       DomainError(MakeSteps(one.Times)), Bound);
   }
-  // The 4-simplices of a long slab are stretched 4-simplices of a short one.
+  // The 4-simplices of a long slab equal those of a short slab, stretched along time.
   const Outcome shorter = Run(MakeSteps({ 0, 1 }), { { 0.3, 0.7 } });
   for (double scale : { std::ldexp(1, -30), std::ldexp(1, 30) })
   {

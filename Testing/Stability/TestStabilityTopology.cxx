@@ -136,7 +136,8 @@ void TestCellLengths(StabilityCatalogue& catalogue)
               result.GetPosition(0)[1] / size[1] + 0.37, result.GetPosition(0)[2] / size[2] - 0.71)
           : NaN,
         1e-11);
-      // The cube root of the volume, which itself may overflow or underflow.
+      // CellLength is the cube root of the cell volume. The volume itself may overflow or
+      // underflow.
       catalogue.Measure(name + "-length", extreme, "relative error of the cell's length",
         isOne ? result.GetArray("CellLength")->GetTuple1(0) / (0.5 * length * std::cbrt(thin)) - 1.0
               : NaN,
@@ -176,7 +177,8 @@ void TestPointCells(StabilityCatalogue& catalogue)
     [&]() { filter->SetInputData(corner); });
 }
 
-/// Returns a vortex about x = 0.31, y = 0.17 times the size, which rotates at the given speed.
+/// Returns a vortex about the axis x = 0.31, y = 0.17. The axis is scaled by \a size, and the
+/// velocity by \a speed.
 FlowFunction MakeVortex(double size, double speed)
 {
   return [=](const FlowVector& x)
@@ -186,8 +188,8 @@ FlowFunction MakeVortex(double size, double speed)
   };
 }
 
-/// Returns the largest distance from the axis, relative to \a size, or NaN if the number of points
-/// is not \a points.
+/// Returns the largest distance of an output point from the exact axis, relative to \a size, or NaN
+/// if the number of output points is not \a points.
 double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType points)
 {
   const Messages messages = UpdateFilter(filter);
@@ -203,7 +205,7 @@ double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType points)
   return largest;
 }
 
-/// Tests that the planes are the grid layers along the axis, even if they are very close.
+/// Tests that the axis has one point on each grid layer along it, even if layers are very close.
 void TestLayers(StabilityCatalogue& catalogue)
 {
   for (const double size : { 1e-250, 1e-200, 1e-100, 1.0, 1e100, 1e200, 1e250 })

@@ -33,7 +33,7 @@ constexpr double VolumeBound = 1e-12;
 
 using Value = std::function<double(vtkIdType)>;
 
-/// Returns a random even integer in [0, 2000), which does not equal any odd bound.
+/// Returns a random even integer in [0, 2000), which never equals an odd bound.
 double EvenInteger(vtkIdType point)
 {
   std::mt19937 random(static_cast<unsigned int>(point) * 7919u + 1u);
@@ -60,8 +60,8 @@ double VolumeOf(vtkDataSet* mesh, const std::vector<Interval>& intervals)
   return static_cast<double>(MeasureTetrahedra(ExtractIntervals(mesh, intervals).Volume).Sum);
 }
 
-/// Returns the error relative to the domain's volume, or NaN, which fails the case, if \a expected
-/// is 0.
+/// Returns the error relative to the domain's volume. If \a expected is 0, returns NaN to fail the
+/// case.
 double RelativeError(double found, double expected)
 {
   return expected > 0 ? std::abs(found - expected) / DomainVolume : std::nan("");
@@ -197,7 +197,7 @@ void TestUnsignedChar(StabilityCatalogue& catalogue)
 
 void TestSixtyFourBits(StabilityCatalogue& catalogue)
 {
-  // A double has 53 bits: at 2^62 it distinguishes multiples of 1024.
+  // A double has 53 significant bits: at 2^62, it distinguishes multiples of 1024.
   const double shift = std::ldexp(1, 62);
   catalogue.Measure("int64-exact", "int64 values 2^62 + multiples of 1024",
     "number of tetrahedra that differ from the result without 2^62",
@@ -211,7 +211,7 @@ void TestSixtyFourBits(StabilityCatalogue& catalogue)
     RelativeError(VolumeOf(fine, { { 0, shift }, { shift, 2 * shift } }), DomainVolume),
     VolumeBound);
 
-  // Above 2^53 the next double after an integer is not the next integer.
+  // Above 2^53, the next double after an integer is not the next integer.
   const auto base = vtkTypeInt64(1) << 60;
   auto few = MakeInput<vtkTypeInt64Array>([base](vtkIdType i)
     { return base + 1024 * (static_cast<vtkTypeInt64>(EvenInteger(i)) / 2 % 3); });

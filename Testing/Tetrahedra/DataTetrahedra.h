@@ -11,8 +11,8 @@ namespace reference
 {
 
 /**
- * A file in Data/ with a point array. If Lower < Upper, the tetrahedra are the interval volume from
- * Lower to Upper, otherwise the full grid.
+ * A file in Data/ and one of its point arrays. If Lower < Upper, the tetrahedra are the interval
+ * volume from Lower to Upper. Otherwise, they fill the whole grid.
  */
 struct DataTetrahedra
 {
@@ -23,8 +23,9 @@ struct DataTetrahedra
 
   std::string GetName() const;
   /**
-   * Returns the tetrahedra with colors from cool to warm over the range of values, and opacity from
-   * 0 to 1 with a unit distance of a fifteenth of the data's size. The camera is not set.
+   * Returns the tetrahedra with a cool-to-warm color map and an opacity ramp from 0 to 1 over the
+   * range of values. The opacity unit distance is 1/15 of the diagonal of the bounding box. The
+   * camera is not set.
    * @throw std::runtime_error if the file cannot be read or has no such array.
    */
   ImageCase Make(const std::array<int, 2>& size) const;

@@ -28,7 +28,7 @@ struct ImageCase
   vtkSmartPointer<vtkVolumeProperty> Property;
   vtkSmartPointer<vtkCamera> Camera;
   CameraSettings Settings;
-  /// Opaque actors. The reference reads their depth from Settings.OpaqueDistance.
+  /// Opaque actors. The reference implementation uses Settings.OpaqueDistance instead.
   std::vector<vtkSmartPointer<vtkActor>> Actors;
 };
 
@@ -37,18 +37,18 @@ ImageCase MakeCase(vtkUnstructuredGrid* grid, vtkVolumeProperty* property,
   const std::array<double, 3>& direction, bool parallel,
   const std::array<int, 2>& size = { { 96, 96 } });
 
-/// Passes the grid and the settings to a mapper: arrays, blend and integration mode, priorities.
+/// Passes the grid, the arrays, the blend and integration modes, and the layer priorities to a
+/// mapper.
 void Configure(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what);
 
-/// Configures the mapper and returns its floating-point image.
+/// Configures the mapper and returns the floating-point image that it renders.
 RgbaImage DrawByMapper(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what);
 /// Returns the image of a new mapper with the given render path.
 RgbaImage DrawByPath(int path, const ImageCase& what);
-/// Returns the image of vtkProjectedTetrahedraMapper, which uses only the scalars of the settings.
+/// Returns the image of vtkProjectedTetrahedraMapper. Only the scalars of the settings are used.
 RgbaImage DrawByVtkMapper(const ImageCase& what);
 RgbaImage DrawByReference(const ImageCase& what);
 
-/// Returns the tested render paths.
 const std::vector<int>& AllRenderPaths();
 std::string GetPathName(int path);
 

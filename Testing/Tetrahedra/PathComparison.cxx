@@ -30,13 +30,15 @@ using Position = std::array<double, 2>;
 
 constexpr double SoftwareBound = 1e-3;
 constexpr double PathBound = 2.0 / 255.0;
-/// Distance in pixels within which silhouettes may differ. OpenGL rounds corners to 1/256 pixel and
-/// widens thin silhouettes by up to this distance.
+/// Maximum distance in pixels from a silhouette edge to the center of a pixel in which the paths
+/// may differ. OpenGL rounds corners to 1/256 pixel and widens thin silhouettes by up to this
+/// distance.
 constexpr double SilhouetteWidth = 1.0 / 64.0;
-/// The reference computes every seventh pixel. An odd stride samples every phase of a regular mesh.
+/// The reference computes every seventh pixel along each axis. The stride is odd so that the pixels
+/// are not always at the same position in the cells of a regular mesh.
 constexpr int Stride = 7;
 
-/// Returns the largest channel difference of two pixels, or infinity if it is not finite.
+/// Returns the largest channel difference of two pixels, or infinity if any is not finite.
 double GetDistance(const double* a, const double* b)
 {
   double largest = 0.0;
@@ -63,7 +65,7 @@ double GetDistance(const Position& a, const Position& b, const Position& p)
   return std::hypot(p[0] - a[0] - fraction * edge[0], p[1] - a[1] - fraction * edge[1]);
 }
 
-/// Silhouettes of the tetrahedra of a grid in an image.
+/// The silhouettes of a grid's tetrahedra in an image.
 class Silhouettes
 {
 public:
@@ -86,7 +88,7 @@ public:
     }
   }
 
-  /// Returns the distance between a pixel's center and the closest edge of a silhouette.
+  /// Returns the distance in pixels between a pixel's center and the closest silhouette edge.
   double GetDistance(int i, int j) const
   {
     const Position pixel = { { i + 0.5, j + 0.5 } };
@@ -105,7 +107,8 @@ public:
   }
 
 private:
-  /// Returns the distance to the edge between corners a and b, or infinity if the edge is interior.
+  /// Returns the distance from \a pixel to the edge between corners a and b. Returns infinity if
+  /// the edge is close but lies inside the silhouette.
   static double GetDistance(
     const std::array<Position, 4>& corners, int a, int b, const Position& pixel)
   {
@@ -123,7 +126,8 @@ private:
         sides[side++] = Cross(corners[a], corners[b], corners[k]);
       }
     }
-    // If a face is seen edge-on, the signs of its sides depend on rounding errors.
+    // The edge is inside if the other two corners are on different sides of it. If a face is seen
+    // edge-on, rounding errors decide the side, so the edge counts as part of the silhouette.
     const double size = std::hypot(corners[b][0] - corners[a][0], corners[b][1] - corners[a][1]);
     const double rounding = SilhouetteWidth * size;
     const bool isWithin = std::abs(sides[0]) > rounding && std::abs(sides[1]) > rounding &&

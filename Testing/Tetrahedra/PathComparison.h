@@ -15,8 +15,8 @@ class Check;
  * Compares both render paths with each other and with the reference.
  *
  * All pixels of the two paths are compared. The reference computes a regular subset of pixels, and
- * every pixel in which the paths differ by more than 1e-3. Therefore an undetected error would
- * have to occur in both paths.
+ * every pixel in which the paths differ by more than 1e-3. Therefore, an error can only remain
+ * undetected if it occurs in both paths.
  *
  * The error of the software path must be at most 1e-3. The paths may differ by more than 2/255
  * only in silhouette pixels: OpenGL rounds corners to 1/256 pixel, so a silhouette edge may lie on
@@ -25,8 +25,8 @@ class Check;
 void ComparePaths(
   const ImageCase& what, const std::string& name, Check& check, double silhouetteFraction = 5e-4);
 
-/// Compares the paths in both directions of each axis, in parallel and perspective projection. The
-/// camera of \a what is replaced.
+/// Compares the paths along both directions of each axis, in parallel and perspective projection.
+/// The camera of \a what is replaced.
 void ComparePathsAlongAxes(
   ImageCase what, const std::string& name, Check& check, double silhouetteFraction = 5e-4);
 

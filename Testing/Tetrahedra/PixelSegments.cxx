@@ -66,7 +66,8 @@ void PixelSegment::ClipToBox(const std::array<double, 6>& box, vtkVolume* volume
     double corner[4] = { box[0], box[2], box[4], 1.0 };
     corner[axis] = box[2 * axis + side];
     matrix->MultiplyPoint(corner, corner);
-    // The gradient of the volume's coordinate along this axis, in world coordinates.
+    // The inward normal of this side in world coordinates. The gradient of the volume's coordinate
+    // along the axis is a row of the inverse matrix.
     Point3 normal;
     for (int k = 0; k < 3; ++k)
     {
@@ -135,7 +136,7 @@ int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDa
         continue;
       }
       ++found;
-      // A point just behind the entry, in coordinates of the volume.
+      // A point just behind the start of the segment, converted to the volume's coordinates.
       const Point3 entry =
         segment.At(segment.GetFrom() + 1e-6 * (segment.GetTo() - segment.GetFrom()));
       double point[4] = { entry[0], entry[1], entry[2], 1.0 };

@@ -40,9 +40,9 @@ public:
   double GetTo() const { return this->To; }
   Point3 At(double fraction) const;
 
-  /// Removes the half space that the plane's normal points away from.
+  /// Removes the part of the segment that lies behind a plane, on the side opposite to its normal.
   void Clip(const Point3& normal, const Point3& origin);
-  /// Clips to a box in coordinates of the volume.
+  /// Clips the segment to a box in the volume's coordinates.
   void ClipToBox(const std::array<double, 6>& box, vtkVolume* volume);
 
 private:
@@ -62,10 +62,11 @@ private:
 class PixelSegments
 {
 public:
-  /// Reads the camera after a frame, with the eye and stereo flag of that frame.
+  /// Reads the active camera. Call this after rendering, when the camera has the stereo settings
+  /// and the eye of the frame.
   explicit PixelSegments(vtkRenderer* renderer);
 
-  /// Returns the segment of a pixel, relative to the renderer's lower left corner.
+  /// Returns the segment of pixel (i, j), counted from the renderer's lower left corner.
   PixelSegment Get(int i, int j) const;
 
 private:
@@ -76,9 +77,10 @@ private:
 };
 
 /**
- * Checks hardware selection at every third pixel: the selected cell must be the first that the
- * pixel's segment enters, and there must be no cell if \a cut makes the segment empty. Returns the
- * number of pixels with cells. The volume must have been rendered.
+ * Checks hardware selection at every third pixel along each axis: the selected cell must be the
+ * first that the pixel's segment enters, and no cell may be selected if \a cut makes the segment
+ * empty. Returns the number of checked pixels with cells. The volume must have been rendered
+ * before.
  */
 int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* grid,
   const std::function<void(PixelSegment&)>& cut);

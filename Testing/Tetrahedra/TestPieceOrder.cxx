@@ -56,8 +56,8 @@ std::array<double, 2> Cut(const Box& box, const Vector& from, const Vector& alon
   return part;
 }
 
-/// Counts boxes that the ray enters before it leaves an earlier box of the order. Adds the number
-/// of compared pairs to \a pairs.
+/// Counts the boxes that the ray enters before it leaves a box that is earlier in \a order. Adds
+/// the number of compared pairs to \a pairs.
 int CountErrors(const std::vector<Box>& boxes, const std::vector<int>& order, const Vector& from,
   const Vector& along, int& pairs)
 {
@@ -102,7 +102,7 @@ void CheckViews(Check& check, std::mt19937& random)
     check.That(parts.IsPossible(), "planes separate the boxes that they cut");
     for (int view = 0; view < 20; ++view)
     {
-      // The camera may be inside the boxes.
+      // The camera may be inside a box.
       const Vector eye = RandomVector(random, 3.0);
       const bool isParallel = view % 2 == 1;
       const std::array<double, 4> from{ { eye[0], eye[1], eye[2], isParallel ? 0.0 : 1.0 } };
@@ -168,7 +168,7 @@ void CheckInseparableBoxes(Check& check)
   check.That(!PieceOrder(wheel).IsPossible(), "cyclic bars cannot be ordered");
   check.That(PieceOrder({}).IsPossible() && PieceOrder({}).Compute({}).empty(), "no process");
   check.That(PieceOrder({ NOTHING, NOTHING }).IsPossible(), "only empty processes");
-  // Boxes that were computed in single precision overlap slightly.
+  // Boxes that were computed in single precision may overlap slightly.
   const double third = static_cast<double>(1.0f / 3.0f);
   const std::vector<Box> touching{ { { 0.0, third + 1e-8, 0.0, 1.0, 0.0, 1.0 } },
     { { third - 1e-8, 1.0, 0.0, 1.0, 0.0, 1.0 } } };

@@ -27,7 +27,7 @@ namespace
 
 using namespace reference;
 
-/// Time, red, green, blue.
+/// A node of the function: time, red, green, blue.
 using Node = std::array<double, 4>;
 
 void ExpectNodes(
@@ -64,11 +64,12 @@ void TestNodes(Check& check)
     { { { -2.0, 0.0, 0.0, 1.0 } }, { { -1.0, 0.0, 1.0, 1.0 } }, { { 0.0, 0.0, 1.0, 0.0 } },
       { { 4.0, 1.0, 1.0, 0.0 } }, { { 8.0, 1.0, 0.0, 0.0 } } });
 
-  // u is 0, 1/3, 2/3, 1 at the steps. u = 1/4 is three quarters into the first interval.
+  // The function's parameter u is 0, 1/3, 2/3 and 1 at the four steps. Therefore, u = 1/4 is at
+  // three quarters of the first interval.
   check.SetContext("four steps");
   const std::array<double, 4> four = { { 0.0, 4.0, 6.0, 14.0 } };
   function->SetTimes(4, four.data());
-  const double part = 4.0 / 3.0; // in units of 1/4 of u, at step 1
+  const double part = 4.0 / 3.0; // 4 u at step 1
   ExpectNodes(check, function,
     { { { 0.0, 0.0, 0.0, 1.0 } }, { { 3.0, 0.0, 1.0, 1.0 } }, { { 4.0, 0.0, 1.0, 2.0 - part } },
       { { 5.0, 0.0, 1.0, 0.0 } }, { { 6.0, 2.0 * part - 2.0, 1.0, 0.0 } },
@@ -82,7 +83,8 @@ void TestNodes(Check& check)
       { { 11.0, 1.0, 1.0, 0.0 } }, { { 100.0, 1.0, 0.0, 0.0 } } });
 }
 
-/// Checks that the color depends only on u, which is uniform over the steps, for any times.
+/// Checks that the color depends only on the parameter u, which increases by the same
+/// amount in each step, regardless of the times.
 void TestManySteps(Check& check)
 {
   check.SetContext("many steps");
@@ -112,7 +114,7 @@ void TestManySteps(Check& check)
   }
 }
 
-/// Tests extremely short and long steps.
+/// Tests extremely short and extremely long intervals between steps.
 void TestScales(StabilityCatalogue& catalogue)
 {
   for (const double step : { 1e-300, 1e-12, 1e12, 1e307 })
@@ -171,7 +173,7 @@ void TestErrors(StabilityCatalogue& catalogue)
     observer->GetError());
 }
 
-/// Tests that a pixel has the color of its time, which is constant along each view ray.
+/// Tests that each pixel has the color of its time. The time is constant along each view ray.
 void TestVolumeImage(Check& check)
 {
   const double extinction = 1.5;

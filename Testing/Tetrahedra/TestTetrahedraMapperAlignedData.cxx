@@ -29,7 +29,8 @@ int TestTetrahedraMapperAlignedData(int, char*[])
   };
   for (const DataTetrahedra& data : cases)
   {
-    // A plane of voxels seen edge-on can pass through the centers of a column of pixels.
+    // More pixels may differ: a plane of voxels that is seen edge-on can pass through the centers
+    // of a whole column of pixels.
     ComparePathsAlongAxes(data.Make({ { 120, 120 } }), data.GetName(), check, 3e-3);
   }
   return check.Result();

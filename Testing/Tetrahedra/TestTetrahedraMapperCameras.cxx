@@ -47,8 +47,8 @@ constexpr int Slabs = 3;
 constexpr double Extinctions[Slabs] = { 2.0, 0.7, 4.0 };
 constexpr Point3 Colors[Slabs] = { { { 1.0, 0.1, 0.0 } }, { { 0.0, 0.9, 0.3 } },
   { { 0.2, 0.0, 1.0 } } };
-/// View direction almost along the planes between slabs, so that each eye sees a different side of
-/// them.
+/// View direction nearly parallel to the planes between the slabs, so that the two eyes see
+/// opposite sides of the planes.
 constexpr Point3 Along = { { 0.01, -0.35, 1.0 } };
 
 /// A camera that looks at the unit cube, in a window that may be stereo.
@@ -56,12 +56,12 @@ struct CameraCase
 {
   std::string Name;
   std::function<void(vtkCamera*)> Change;
-  /// Stereo type, or 0 for no stereo.
+  /// VTK's stereo type, or 0 for no stereo.
   int StereoType = 0;
-  /// True if the transforms preserve lengths and angles, so that vtkPolyDataMapper shades
+  /// True if the camera's transforms preserve lengths and angles, so that vtkPolyDataMapper shades
   /// correctly.
   bool IsRigid = true;
-  /// True if the near or far plane cuts the cube, which opens its surface.
+  /// True if the near or far plane cuts the cube, so that its visible surface has a hole.
   bool IsCut = false;
 };
 
@@ -172,7 +172,7 @@ const std::vector<CameraCase>& AllCameras()
   return cameras;
 }
 
-/// Returns off-axis cameras. Their screens are given in view coordinates.
+/// Returns off-axis cameras, whose screens are given in view coordinates.
 const std::vector<CameraCase>& AllScreens()
 {
   static const std::vector<CameraCase> cameras = {
@@ -202,7 +202,7 @@ const std::vector<CameraCase>& AllScreens()
   return cameras;
 }
 
-/// A camera that looks at a cube of slabs, each with one color.
+/// A window with a camera that looks at a cube, which consists of slabs in different colors.
 class Scene
 {
 public:
@@ -274,7 +274,7 @@ public:
   vtkSmartPointer<vtkVolumeProperty> Property;
 };
 
-/// Returns the composited color of the slabs along the segment.
+/// Returns the composited color of the slabs along a pixel's segment.
 std::array<double, 4> ExpectSlabs(const PixelSegment& segment, vtkVolume* volume)
 {
   struct Piece
@@ -311,8 +311,9 @@ std::array<double, 4> ExpectSlabs(const PixelSegment& segment, vtkVolume* volume
   return color;
 }
 
-/// Compares all pixels with the composited slabs along their segments, which \a clip may shorten.
-/// OpenGL may round an edge of a tetrahedron to the other side of a pixel's center.
+/// Compares all pixels with the composited slabs along their segments, which \a clip may shorten. A
+/// few pixels may differ on the OpenGL path, which may round an edge of a tetrahedron to the other
+/// side of a pixel's center.
 void CompareSlabs(Check& check, Scene& scene, const RgbaImage& image, const std::string& name,
   const std::function<void(PixelSegment&)>& clip = {})
 {
@@ -398,7 +399,7 @@ void TestSilhouette(Check& check, Scene& scene)
       for (std::size_t i = 3; i < image.Values.size(); i += 4)
       {
         covered += expected.Values[i] > 0.5 ? 1 : 0;
-        // Edges of the cube may pass through a pixel's center.
+        // A few pixels may differ, since edges of the cube may pass through pixel centers.
         different += (expected.Values[i] > 0.5) != (image.Values[i] > 1e-5) ? 1 : 0;
       }
       check.That(covered > 800, path + ": the surface is visible");
@@ -453,7 +454,7 @@ void TestOpaque(Check& check, Scene& scene)
   surface->VisibilityOff();
 }
 
-/// Tests that the selected cell is the first on the segment.
+/// Tests that the selected cell is the first along the pixel's segment.
 void TestSelection(Check& check, Scene& scene)
 {
   vtkNew<Mapper> mapper;
@@ -481,7 +482,7 @@ void TestLitBoundary(Check& check, Scene& scene)
   cube->SetBounds(Box.data());
   cube->Update();
   vtkNew<vtkPolyData> face;
-  // Triangles of the tetrahedra on the front face of the cube.
+  // The faces of tetrahedra that lie on the front face of the cube.
   vtkNew<vtkCellArray> triangles;
   for (vtkIdType cell = 0; cell < scene.Grid->GetNumberOfCells(); ++cell)
   {
@@ -552,7 +553,8 @@ void TestLitBoundary(Check& check, Scene& scene)
     });
 }
 
-/// Tests that the eye used to order the pieces of processes is VTK's stereo eye position.
+/// Tests that the eye position used to order the pieces of different processes is that of VTK's
+/// stereo rendering.
 void TestEye(Check& check, bool isLeft)
 {
   check.SetContext(isLeft ? "eye, left" : "eye, right");
@@ -577,7 +579,7 @@ void TestEye(Check& check, bool isLeft)
   }
 }
 
-/// Tests windows that show both eyes at once against vtkPolyDataMapper.
+/// Compares windows that show both eyes at once with the images of vtkPolyDataMapper.
 void TestBothEyes(Check& check, int type)
 {
   check.SetContext("both eyes, type " + std::to_string(type));

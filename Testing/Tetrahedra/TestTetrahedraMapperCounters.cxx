@@ -31,7 +31,7 @@ using Mapper = vtkTimeWeightedTetrahedraMapper;
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
 
-/// A volume in a window with one render path and projection, rendered repeatedly.
+/// Renders a volume repeatedly with the same render path and projection.
 class Scene
 {
 public:
@@ -48,7 +48,7 @@ public:
     this->Drawer->AutoAdjustLevelOfDetailOff();
   }
 
-  /// Renders with the current settings of the mapper.
+  /// Renders with the current settings of the mapper. Returns the mapper's report.
   ReportCopy Draw()
   {
     this->Stage.SetVolume(this->Drawer, this->What.Property);
@@ -57,7 +57,7 @@ public:
     return CopyReport(this->Drawer->GetReport());
   }
 
-  /// Configures the mapper and renders.
+  /// Configures the mapper and renders. Returns the mapper's report.
   ReportCopy Draw(Blend blend)
   {
     this->What.Settings.How = blend;
@@ -77,7 +77,8 @@ private:
   int Path;
 };
 
-/// The paths spell features differently: `delta-t` and `DELTA_T`.
+/// Returns whether the report lists a feature. The render paths spell features differently, such as
+/// `delta-t` and `DELTA_T`.
 bool HasFeature(vtkInterlumeReport* report, const std::string& feature)
 {
   std::string text = report->GetText("Features");
@@ -249,7 +250,7 @@ void TestBoundary(Check& check, int path, bool parallel)
   check.Equal(with->GetCount("UnmatchedTriangles"), 0, scene.Name + ": no unmatched triangle");
   check.That(HasFeature(with, "surface"), scene.Name + ": a surface");
   ExpectNoUploads(check, scene.Draw(), scene.Name + ", with a triangle, still");
-  // Lights and cameras are passed to the shader as uniforms.
+  // Moving the camera uploads no static data: lights and cameras are passed as uniforms.
   scene.What.Camera->Azimuth(10.0);
   check.Equal(
     scene.Draw()->GetCount("UploadedStaticBytes"), 0, scene.Name + ", with a triangle, moved");
@@ -275,7 +276,7 @@ void TestNearPlane(Check& check, int path, bool parallel)
   ExpectNoUploads(check, still, scene.Name + ", cut by the near plane, still");
 }
 
-/// Tests that results of sorting are not reported for frames without sorting.
+/// Tests that gaps, which only sorting finds, are not reported for frames without sorting.
 void TestGaps(Check& check, int path, bool parallel)
 {
   Scene scene(path, parallel);

@@ -25,14 +25,14 @@ constexpr double Bound = 1e-3;
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 EdgeOn = { { 1.0, 0.03, 0.02 } };
 
-/// OpenGL rounds corners and may miss a pixel whose center is within 1/256 pixel of a silhouette.
-/// This is visible if tetrahedra are thinner than that, and at the edge of a sheet, where opacity
-/// is a step.
+/// OpenGL rounds vertex positions and may miss a pixel whose center is within 1/256 pixel of a
+/// silhouette. The error is visible for tetrahedra thinner than 1/256 pixel, and at the edge of a
+/// sheet, where the opacity is discontinuous.
 constexpr double OpenGLEdgeOnBound = 1e-2;
 constexpr double OpenGLSheetBound = 0.1;
 
-/// Returns the largest difference, divided by the largest alpha if that is small. Returns NaN,
-/// which fails, if the expected image is empty.
+/// Returns the largest difference, divided by the largest alpha if this is less than 1. If the
+/// expected image is empty, returns NaN, so that the test fails.
 double ErrorOf(const RgbaImage& found, const RgbaImage& expected)
 {
   const double largest = LargestAlpha(expected);
@@ -94,8 +94,8 @@ std::string Power(int exponent)
   return (exponent < 0 ? "1e-" : "1e+") + std::to_string(std::abs(exponent));
 }
 
-/// Tests images with a central pixel and meshes with faces through the center. Rays then lie in
-/// faces along rows, columns and diagonals of the image.
+/// Tests view rays that lie in faces. The images have a central pixel, and faces that contain the
+/// center of the mesh project to rows, columns and diagonals of pixels.
 void TestAlignedFaces(ErrorTable& table)
 {
   const std::array<int, 2> odd = { { 95, 63 } };
@@ -121,7 +121,7 @@ void TestThinTetrahedra(ErrorTable& table)
   {
     const double thickness = std::pow(10.0, exponent);
     const std::string aspect = Power(-exponent);
-    // Ten thin layers, with or without thick layers between them.
+    // Boundaries of ten thin layers, and of ten layers that are alternately thick and thin.
     std::vector<double> thin;
     std::vector<double> alternating;
     double top = 0.0;

@@ -56,7 +56,7 @@ Misses Compare(const RgbaImage& found, const RgbaImage& expected)
   return misses;
 }
 
-/// Compares both paths with the reference. The arguments limit the errors of each path.
+/// Compares both render paths with the reference. \a software and \a opengl limit their errors.
 void Expect(StabilityCatalogue& catalogue, const std::string& name, const ImageCase& what,
   const Misses& software, const Misses& opengl)
 {
@@ -75,7 +75,7 @@ void Expect(StabilityCatalogue& catalogue, const std::string& name, const ImageC
   }
 }
 
-/// Tests that the far plane clips like an opaque plane that is not drawn.
+/// Tests that view rays end at the far plane.
 void TestFarPlane(StabilityCatalogue& catalogue)
 {
   for (bool parallel : { true, false })
@@ -117,7 +117,8 @@ void TestNodes(StabilityCatalogue& catalogue)
   }
 }
 
-/// Tests a flat plate seen from above, and from the side with pixel centers in its central plane.
+/// Tests a flattened cube, seen obliquely, and from the side with pixel centers in its central
+/// plane.
 void TestSquashed(StabilityCatalogue& catalogue)
 {
   for (const double height : { 1e-5, 1e-7, 1e-8, 1e-9 })
@@ -131,8 +132,8 @@ void TestSquashed(StabilityCatalogue& catalogue)
     ImageCase side = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, true);
     side.Camera = LookAt(grid, { { 0.0, 1.0, 0.0 } }, true);
     side.Settings.Size = { { 97, 97 } };
-    // View rays miss the centers of their pixels by 4e-9 pixels, and OpenGL rounds coordinates to
-    // 1/256 pixel.
+    // View rays are 4e-9 pixels off the pixel centers, which matters for the thinnest plate. OpenGL
+    // rounds coordinates to 1/256 pixel and may miss any plate.
     const int row = 97;
     const Misses software = height < 5e-9 ? Misses{ row, 6e-3 } : Misses{ 0, 1e-3 };
     Expect(catalogue, name.str() + ", from the side", side, software, { row, 1.0 });

@@ -103,7 +103,7 @@ public:
     this->Stage.SetCamera(what.Camera);
   }
 
-  /// Renders two frames, as VolumeStage does.
+  /// Captures an image, for which VolumeStage renders two frames.
   Outcome Draw()
   {
     this->Errors.Messages.clear();
@@ -162,7 +162,7 @@ public:
     this->Catalogue.SetClass("vtkTimeWeightedTetrahedraMapper");
   }
 
-  /// Expects one error with all words, an empty image, and no further error in the next frame.
+  /// Expects one error that contains all words, an empty image, and no error in the next frame.
   void Rejected(const std::string& name, const std::string& extreme,
     const std::vector<std::string>& words, const Change& change)
   {
@@ -535,7 +535,7 @@ void TestRecovery(Table& table)
     [](ImageCase&) {});
 }
 
-/// VTK's pipeline reports a missing input to its own observers.
+/// Tests an input that is removed and restored. VTK's executive may report the missing input.
 void TestNoInput(Table& table)
 {
   table.Silent(

@@ -47,7 +47,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePlate(
   return interval->GetOutput();
 }
 
-/// Opacity of the pixels that show the plate.
+/// Statistics of the opacity of the pixels that show the plate.
 struct Opacity
 {
   int Pixels = 0;
@@ -55,16 +55,17 @@ struct Opacity
   double Deviation = 0.0;
   /// Largest difference from 1 - exp(-depth), for color and opacity.
   double Error = 0.0;
-  /// Number of pixels with an error above OUTLIER, which the mean and deviation exclude.
+  /// Number of pixels with an opacity error above OUTLIER. Mean and Deviation exclude them.
   int Outliers = 0;
 };
 
-/// OpenGL rounds silhouettes to 1/256 pixel. It can miss a tetrahedron at a pixel whose center is
-/// that close to a face seen edge-on.
+/// Opacity error above which a pixel is an outlier. OpenGL rounds vertex positions to 1/256 pixel
+/// and may miss a tetrahedron at a pixel whose center is that close to a face seen edge-on.
 constexpr double OUTLIER = 1e-3;
 
 /// Computes mean and deviation for the pixels with the longest chord. In parallel projection, these
-/// are all pixels that see both large faces. The error is computed for all pixels.
+/// are all pixels whose view rays intersect both large faces of the plate. The error is computed
+/// for all pixels.
 Opacity Measure(const ImageCase& what, const RgbaImage& image, double extinction)
 {
   Opacity opacity;
@@ -131,7 +132,7 @@ void TestPlate(Check& check, int path, int steps, double duration, bool isMoving
     std::cout << name << ": " << with.Pixels << " pixels, mean " << with.Mean << ", deviation "
               << with.Deviation << ", largest error " << with.Error << ", " << with.Outliers
               << " outliers; " << without.Outliers << " without Delta t\n";
-    // A pixel may miss one of several overlapping tetrahedra.
+    // With OpenGL, a pixel may miss one of several overlapping tetrahedra.
     check.Near(with.Error, 0.0, isExact ? 1e-5 : 0.2, "largest error", 1.0);
     check.That(
       with.Outliers <= (isExact ? 0 : what.Settings.Size[0] * what.Settings.Size[1] / 1000),
@@ -145,8 +146,8 @@ void TestPlate(Check& check, int path, int steps, double duration, bool isMoving
   }
 }
 
-/// Tests that the overlap is visible without the extent in time. Otherwise the plate would not test
-/// anything.
+/// Tests that the overlap of tetrahedra is visible without the extent in time. Otherwise TestPlate
+/// would not test anything.
 void TestPattern(Check& check, int path)
 {
   check.SetContext("pattern, " + GetPathName(path));

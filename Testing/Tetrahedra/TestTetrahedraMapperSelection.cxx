@@ -47,8 +47,8 @@ constexpr vtkIdType Cells = Side * Side;
 constexpr int Process = 7;
 constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
 
-/// Returns Side x Side tetrahedra, one per unit square, with the cell id as scalar. Some of their
-/// points are in front of the plane z = 0.
+/// Returns Side x Side separate tetrahedra, one per unit square of the plane z = 0, with the cell
+/// id as scalar.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSeparated()
 {
   const double corners[4][3] = { { 0.0, 0.0, -0.25 }, { 0.5, 0.0, -0.1 }, { 0.2, 0.5, 0.0 },
@@ -127,7 +127,7 @@ public:
 
   Ids SelectAll() { return this->Select(0, 0, 159, 159); }
 
-  /// Selects at the pixel that shows the center of a tetrahedron.
+  /// Selects the cells at the pixel that shows the center of a tetrahedron.
   Ids SelectAt(vtkIdType cell)
   {
     double center[3] = { 0.0, 0.0, 0.0 };
@@ -168,7 +168,8 @@ std::string Print(const Ids& ids)
   return text.str();
 }
 
-/// Expects all cells except \a missing, in the full window and at their own pixels.
+/// Expects that all cells except \a missing can be selected, together in the full window and each
+/// at the pixel of its center.
 void Expect(Check& check, Picker& picker, const Ids& missing, const std::string& what)
 {
   const std::string name = picker.Name + ", " + what;
@@ -232,7 +233,7 @@ void TestHidden(Check& check, int path, bool parallel, int samples)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   picker.Renderer->AddActor(actor);
-  // The camera is at a large z, and the sphere is in front of or behind cell 10.
+  // The camera looks along -z. The sphere is first in front of cell 10, then behind it.
   sphere->SetCenter(2.23, 2.2, 0.75);
   Expect(check, picker, { 10 }, "a sphere in front");
   sphere->SetCenter(2.23, 2.2, -0.85);

@@ -100,7 +100,7 @@ void TestBlendModes(Check& check, bool parallel)
   }
 }
 
-/// Adds colors with opacities that differ between neighbors.
+/// Adds RGBA colors that differ strongly between consecutive tuples.
 void AddColors(vtkDataSetAttributes* data, vtkIdType tuples)
 {
   vtkNew<vtkFloatArray> colors;
@@ -129,7 +129,8 @@ void TestColors(Check& check, bool parallel)
   }
 }
 
-/// Tests boundary triangles, an opaque sphere inside, a near plane inside, and several draw calls.
+/// Tests boundary triangles, an opaque sphere inside the volume, a near plane inside the volume,
+/// and several draw calls.
 void TestParts(Check& check, bool parallel)
 {
   ImageCase what = MakeBlock(parallel);

@@ -22,7 +22,7 @@ using namespace reference;
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 FaceOn = { { 0.0, 0.0, 1.0 } };
 
-/// Tests that all pixels are equal in a face-on parallel view.
+/// Tests that all pixels of the slab are equal in a face-on parallel view.
 void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extinction, int pixels)
 {
   const Point3 color = { { 0.9, 0.5, 0.2 } };
@@ -58,8 +58,8 @@ void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extin
   check.Near(highest, expected, 1e-5, "highest alpha of the slab", 1.0);
 }
 
-/// Tests the chord length of every pixel in slanted and perspective views. OpenGL rounds
-/// silhouettes to 1/256 pixel and may miss tetrahedra that are thinner than that.
+/// Tests that the opacity of every pixel corresponds to its chord length in a slanted view. OpenGL
+/// rounds vertex positions to 1/256 pixel and may miss tetrahedra that are thinner than that.
 void TestChords(Check& check, int path, bool parallel)
 {
   auto grid = MakeCube(5);
@@ -120,7 +120,7 @@ int TestTetrahedraMapperSlab(int, char*[])
       check.SetContext(GetPathName(path) + ", extinction " + std::to_string(extinction));
       TestUniform(check, path, MakeCube(5), extinction, 96);
       TestUniform(check, path, MakeBox({ { 3, 4, 7 } }), extinction, 96);
-      // An odd size has a central pixel, at which faces meet.
+      // An image of odd size has a central pixel, at which faces meet.
       TestUniform(check, path, MakeCube(4), extinction, 95);
       TestUniform(check, path, MakeBox({ { 2, 4, 3 } }), extinction, 95);
     }

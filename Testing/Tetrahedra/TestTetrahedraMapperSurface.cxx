@@ -47,8 +47,8 @@ constexpr Point3 FaceOn = { { 0.0, 0.0, 1.0 } };
 constexpr Point3 FaceColor = { { 0.2, 0.6, 0.9 } };
 constexpr std::array<int, 2> Size = { { 96, 80 } };
 
-/// Returns all distinct faces of tetrahedra whose points are all on the same plane. \a planeOf
-/// returns the number of a point's plane, or -1.
+/// Returns all distinct faces of tetrahedra whose three points are on the same plane. \a planeOf
+/// returns the index of the plane through a point and perpendicular to an axis, or -1.
 vtkSmartPointer<vtkPolyData> MakeFaces(
   vtkUnstructuredGrid* grid, const std::function<int(const double*, int)>& planeOf)
 {
@@ -95,7 +95,7 @@ vtkSmartPointer<vtkPolyData> MakeSides(vtkUnstructuredGrid* grid)
                                                                 : -1; });
 }
 
-/// Returns the square at z = 1/2.
+/// Returns the faces of tetrahedra in the plane z = 1/2.
 vtkSmartPointer<vtkPolyData> MakeMidplane(vtkUnstructuredGrid* grid)
 {
   return MakeFaces(
@@ -151,7 +151,7 @@ RgbaImage DrawTriangles(
   return stage.Capture();
 }
 
-/// Compares pixels whose eight neighbors are covered by the triangles as well.
+/// Compares those pixels for which \a grid covers the pixel and its eight neighbors.
 void ExpectInside(Check& check, vtkUnstructuredGrid* grid, vtkCamera* camera,
   const RgbaImage& found, const RgbaImage& expected, const std::string& name)
 {
@@ -194,7 +194,7 @@ void TestOpaque(Check& check, int path, bool parallel)
     DrawTriangles(sides, what.Camera, FaceColor, nullptr), name);
 }
 
-/// Tests that triangles are lit on the visible side, for both orientations of their normals.
+/// Tests that triangles are lit on the visible side for both directions of their normals.
 void TestBothSides(Check& check, int path)
 {
   const ImageCase what = MakeCase(MakeCube(4), MakeRamp(0.0, 1.0, 0.25), Slanted, false, Size);
@@ -221,7 +221,8 @@ void TestBothSides(Check& check, int path)
   check.Near(CompareImages(images[1], images[0]).Max, 0.0, 1e-6, name, 1.0);
 }
 
-/// Returns a texture with two colors, left and right, and adds texture coordinates x and y.
+/// Returns a texture whose left and right halves have different colors. Adds the x and y
+/// coordinates of the points as texture coordinates.
 vtkSmartPointer<vtkTexture> MakeTexture(vtkPolyData* triangles)
 {
   constexpr int width = 64;
@@ -286,8 +287,8 @@ void TestTexture(Check& check, int path, bool parallel)
   check.That(seen[0] > 500 && seen[1] > 500, name + ": both halves are visible");
 }
 
-/// Tests color and alpha of the front half, the face and the back half of a slab from z = 0 to 1.
-/// If \a cut is not negative, the view is along z and the near plane is at z = \a cut.
+/// Tests color and alpha of a slab from z = 0 to 1 with boundary triangles at z = 1/2. If \a cut is
+/// not negative, the view is along z and the near plane is at z = \a cut.
 void TestSlab(Check& check, int path, bool parallel, const Point3& direction, double opacity,
   vtkDataSet* faces, vtkUnstructuredGrid* grid, const std::string& kind, double cut = -1.0)
 {
@@ -319,7 +320,7 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
     const Ray ray = rays.Get(i, j);
     const double chord = BoxChord(grid, ray);
     const double height = chord * std::abs(static_cast<double>(ray.Direction[2]));
-    // Use only rays through both sides of the slab.
+    // Use only rays through the faces z = 0 and z = 1 of the slab.
     if (std::abs(height - 1.0) < 1e-9)
     {
       ++inside;
@@ -393,13 +394,14 @@ void TestFaces(Check& check, int path, bool parallel)
   TestSlab(check, path, parallel, Slanted, 0.3, compact, grid, "compacted points");
 }
 
-/// Tests that triangles that are not faces are reported, even if they use points of the mesh.
+/// Tests that triangles that are not faces of tetrahedra are reported as unmatched, even if they
+/// use points of the mesh.
 void TestUnmatched(Check& check, int path)
 {
   const ImageCase what = MakeCase(MakeCube(2), MakeRamp(0.1, 1.0), Slanted, true, { { 64, 64 } });
   auto sides = MakeSides(what.Grid);
   const vtkIdType matched = sides->GetNumberOfCells();
-  // A triangle through the cube.
+  // A triangle through the interior of the cube.
   sides->GetPolys()->InsertNextCell({ 0, 2, 26 });
   Surface surface(path, sides, 0.5);
   DrawByMapper(surface.Drawer, what);
@@ -431,7 +433,8 @@ void TestUnmatched(Check& check, int path)
     name + ": triangles at the moved point are unmatched");
 }
 
-/// Tests that changes of triangles, properties and textures produce the image of a new mapper.
+/// Tests that, after changing triangles, properties and textures, the image equals that of a new
+/// mapper.
 void TestChanges(Check& check, int path)
 {
   ImageCase what;
@@ -457,7 +460,7 @@ void TestChanges(Check& check, int path)
     fresh->SetBoundaryProperty(changed.Property);
     fresh->SetBoundaryTexture(changed.Drawer->GetBoundaryTexture());
     const std::string name = GetPathName(path) + ", changed: " + step;
-    // A second volume with the same property would modify it.
+    // Do not share the property: the second volume would modify it.
     ImageCase other = what;
     other.Property = MakeRamp(0.1, 1.0);
     check.Near(CompareImages(found, DrawByMapper(fresh, other)).Max, 0.0, 1e-6,

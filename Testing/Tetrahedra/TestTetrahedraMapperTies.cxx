@@ -29,7 +29,8 @@ namespace
 using namespace reference;
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 
-/// Allows many silhouette pixels: images are small and silhouettes are aligned with pixels.
+/// Maximum fraction of silhouette pixels that differ. It is large because the images are small and
+/// many silhouettes are aligned with pixels.
 constexpr double SilhouetteFraction = 0.02;
 
 /// Adds point scalars `f`: a linear field plus noise.
@@ -37,7 +38,7 @@ void AddScalars(vtkUnstructuredGrid* grid, Random& random)
 {
   const Point3 gradient = random.GetPoint(0.4);
   AddLinear(grid, "f", 0.5, gradient);
-  // Nonlinear values reveal interpolation outside a tetrahedron.
+  // Without noise, interpolation in the wrong tetrahedron would have no effect.
   vtkDataArray* values = grid->GetPointData()->GetArray("f");
   for (vtkIdType id = 0; id < values->GetNumberOfTuples(); ++id)
   {
@@ -46,9 +47,10 @@ void AddScalars(vtkUnstructuredGrid* grid, Random& random)
   grid->GetPointData()->SetActiveScalars("f");
 }
 
-/// Returns columns of triangular prisms along z, with three tetrahedra per prism, over a
-/// triangulated square with random points. The points of each layer are displaced by up to \a
-/// shift, so that layers nearly coincide when seen along z, or exactly if \a shift is 0.
+/// Returns columns of triangular prisms along z, with three tetrahedra per prism. The base is a
+/// square, triangulated with random interior points. The points of each layer are displaced in x
+/// and y by up to \a shift. When seen along z, the layers nearly coincide, or exactly if \a shift
+/// is 0.
 vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
   int cells, const std::vector<double>& layers, double shift, Random& random)
 {
@@ -101,7 +103,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
   return grid;
 }
 
-/// Returns positions of random layers. Every other layer is thinner by a factor of up to 10,000.
+/// Returns the z coordinates of layers. Every other layer is thinner by a random factor of up to
+/// 10,000.
 std::vector<double> MakeLayerPositions(int layers, Random& random)
 {
   std::vector<double> positions = { 0.0 };
@@ -127,7 +130,7 @@ ImageCase MakeCase(vtkUnstructuredGrid* grid, const std::array<int, 2>& size)
 
 void TestColumns(Check& check, Random& random)
 {
-  // Displacements below, at and above single precision.
+  // Displacements below, near and above the rounding error of single precision.
   for (double shift : { 0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3 })
   {
     const auto grid = MakeColumns(5, MakeLayerPositions(6, random), shift, random);
@@ -149,8 +152,8 @@ void TestColumns(Check& check, Random& random)
   }
 }
 
-/// Tests regular grids seen along axes and diagonals of faces and cells, exact and displaced by
-/// single-precision rounding or more.
+/// Tests regular grids seen along axes, face diagonals and cell diagonals. Points are exact, or
+/// displaced by about the rounding error of single precision or more.
 void TestRegularGrids(Check& check, Random& random)
 {
   const Point3 directions[] = { { { 1.0, 0.0, 0.0 } }, { { 0.0, -1.0, 0.0 } },
@@ -170,9 +173,9 @@ void TestRegularGrids(Check& check, Random& random)
         grid->GetPoints()->SetPoint(id, x);
       }
       AddScalars(grid, random);
-      // An odd size has a central pixel whose ray lies in faces. This is tested only with exact
-      // points: if points are displaced, faces are not quite planar, and both the paths and the
-      // reference displace that ray by a similar amount.
+      // An image of odd size has a central pixel whose ray lies in faces. This is tested only with
+      // exact points: displaced faces are not quite coplanar, so the ray may be on either side of
+      // them, since the render paths and the reference round it differently.
       const bool isOdd = shift == 0.0;
       ImageCase what =
         MakeCase(grid, isOdd ? std::array<int, 2>{ { 61, 45 } } : std::array<int, 2>{ { 60, 44 } });
@@ -193,7 +196,8 @@ void TestRegularGrids(Check& check, Random& random)
   }
 }
 
-/// Tests random changes of data, colors and camera against a new mapper.
+/// Tests that, after random changes of data, colors and camera, the image equals that of a new
+/// mapper.
 void TestChanges(Check& check, Random& random)
 {
   const Point3 directions[] = { { { 1.0, 0.0, 0.0 } }, { { 0.0, -1.0, 0.0 } },

@@ -36,7 +36,7 @@ namespace
 using namespace reference;
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 
-/// A mapper in a window that is reused after each change.
+/// A window with a mapper that is reused after each change.
 class Scene
 {
 public:
@@ -55,7 +55,7 @@ public:
     this->Setup(this->Reused);
   }
 
-  /// Renders with the reused mapper and compares with a new one.
+  /// Renders with the reused mapper and compares the image with that of a new one.
   ReportCopy Draw(Check& check, const std::string& what)
   {
     this->Setup(this->Reused);
@@ -104,7 +104,7 @@ private:
   int Path;
 };
 
-/// Replaces an array of the grid by a changed copy, as a reader does.
+/// Replaces an array of the grid with a changed copy, as a reader does.
 void ReplaceValues(Scene& scene, const char* name, double scale)
 {
   vtkDataArray* before = scene.GetArray(name);
@@ -118,7 +118,7 @@ void ReplaceValues(Scene& scene, const char* name, double scale)
   scene.GetGrid()->GetPointData()->AddArray(after);
 }
 
-/// Replaces the grid by a deep copy.
+/// Replaces the grid with a deep copy.
 void CopyGrid(Scene& scene)
 {
   vtkNew<vtkUnstructuredGrid> copy;
@@ -126,7 +126,7 @@ void CopyGrid(Scene& scene)
   scene.What.Grid = copy;
 }
 
-/// Replaces the grid by a different one that uses the same point array objects.
+/// Replaces the grid with another one, which shares the point data arrays `f` and `extent`.
 void ReplaceShape(Scene& scene, vtkSmartPointer<vtkUnstructuredGrid> grid)
 {
   for (const char* name : { "f", "extent" })
@@ -138,7 +138,7 @@ void ReplaceShape(Scene& scene, vtkSmartPointer<vtkUnstructuredGrid> grid)
   scene.What.Grid = grid;
 }
 
-/// Replaces either the points or the connectivity, and keeps the other object.
+/// Replaces either the points or the connectivity of the grid, and keeps the other object.
 void ReplacePart(Scene& scene, bool isPoints, double stretch)
 {
   vtkUnstructuredGrid* before = scene.GetGrid();
@@ -214,8 +214,8 @@ void TestValues(Check& check, int path)
   const ReportCopy grid = scene.Draw(check, "another grid");
   ExpectOnlyValues(check, grid, "another grid");
   check.That(grid->GetNumber("HasAdjacency") > 0, "another grid: the adjacency is reused");
-  // Positions take 16 bytes per point, corners and volume 20 bytes per tetrahedron, and values 4
-  // bytes per point. The rest is transfer functions.
+  // Buffers store 16 bytes per point for positions, 20 bytes per tetrahedron for corners and
+  // volume, and 4 bytes per point for values. The rest is for transfer functions.
   const vtkIdType values = 4 * scene.GetGrid()->GetNumberOfPoints();
   const vtkIdType mesh =
     16 * scene.GetGrid()->GetNumberOfPoints() + 20 * scene.GetGrid()->GetNumberOfCells();

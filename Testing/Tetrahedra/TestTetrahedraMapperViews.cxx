@@ -145,7 +145,7 @@ void TestTwoWindows(Check& check, const Scene& scene)
     ExpectSame(check, a.Draw(), first, name + ", first");
     ExpectSame(check, b.Draw(), second, name + ", second");
   }
-  // A change affects both windows.
+  // A change of the property affects both windows.
   Scene other = scene;
   other.Property = MakeRamp(1.0, 0.2, 0.5);
   volume->SetProperty(other.Property);
@@ -290,7 +290,8 @@ void TestPeeling(Check& check, const Scene& scene, int samples, bool isPeeled)
   }
 }
 
-/// OpenGL renders asynchronously: the time that selects the level of detail must include rendering.
+/// Tests that the time that controls the level of detail includes rendering, although OpenGL
+/// renders asynchronously.
 void TestLevelOfDetailTime(Check& check)
 {
   Scene scene(Mapper::OPENGL_PATH, false);
@@ -312,8 +313,8 @@ void TestLevelOfDetailTime(Check& check)
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     });
   view.Renderer->AddObserver(vtkCommand::EndEvent, wait);
-  // The fraction of the time that the report misses. The minimum of several frames excludes delays
-  // on a busy machine.
+  // Fraction of the rendering time that the report does not include. The minimum over several
+  // frames excludes delays on a busy machine.
   double fraction = 1.0;
   for (int frame = 0; frame < 3; ++frame)
   {

@@ -50,7 +50,7 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, C
   check.That(interlume::FaceAdjacency::FindTwins(mesh) == twins, "matching faces");
 }
 
-// Returns a fan of tetrahedra around one edge. All share two points.
+// Returns a closed fan of tetrahedra that share one edge.
 interlume::TetrahedraMesh MakeFan(int number)
 {
   interlume::TetrahedraMesh mesh;
@@ -63,7 +63,7 @@ interlume::TetrahedraMesh MakeFan(int number)
   return mesh;
 }
 
-// Checks that a third tetrahedron on an interior face removes the match of that face.
+// Checks that an interior face is no longer matched if a third tetrahedron uses it.
 void CheckThird(Check& check)
 {
   CubeMesh form;
@@ -114,7 +114,7 @@ int TestTetrahedraSortAdjacency(int, char*[])
   interlume::TetrahedraMesh twice = MakeFan(1000);
   twice.Corners.insert(twice.Corners.end(), twice.Corners.begin(), twice.Corners.begin() + 2000);
   CheckMesh(twice, "duplicate tetrahedra", check);
-  // Many faces with the same lowest point id, each three times.
+  // All tetrahedra occur three times, and most faces have the same lowest point id.
   interlume::TetrahedraMesh triple = MakeFan(50000);
   const std::vector<std::uint32_t> once = triple.Corners;
   triple.Corners.insert(triple.Corners.end(), once.begin(), once.end());

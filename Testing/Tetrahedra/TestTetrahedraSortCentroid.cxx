@@ -35,7 +35,8 @@ void CheckRadix(Check& check)
   interlume::RadixOrder radix;
   for (const std::uint32_t number : { 0u, 1u, 2u, 1000u, 16384u, 300000u, 17u })
   {
-    // A few different keys, one digit, two digits and all bits, with and without an offset.
+    // One or two different keys, and keys of one to three digits of 11 bits. Keys of less than 32
+    // bits have an offset.
     for (const int bits : { 0, 1, 11, 12, 22, 23, 32 })
     {
       const std::uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1;
@@ -66,8 +67,9 @@ void CheckFloatKeys(Check& check)
     "0 and -0 have the same key");
 }
 
-// Returns a measure of each tetrahedron, from the sum of its corners minus four times the eye
-// position: the squared length of this vector, or its component along the view direction.
+// Returns a measure of the distance of each tetrahedron. In perspective, this is the squared length
+// of the sum of its corners minus four times the eye position. In parallel projection, it is the
+// component of the sum along the view direction.
 std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlume::Viewpoint& view)
 {
   std::vector<double> measures;
@@ -89,7 +91,8 @@ std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlu
   return measures;
 }
 
-// Coordinates are multiples of 1/16. Therefore distances are exact, and many are equal.
+// Tests that the order is stable. Coordinates are multiples of 1/16, so distances are exact, and
+// many are equal.
 void CheckRegularGrid(Check& check)
 {
   CubeMesh form;
@@ -112,8 +115,8 @@ void CheckRegularGrid(Check& check)
   }
 }
 
-// The order must distinguish distances that differ by more than the single-precision error of the
-// mesh size, from any camera position.
+// Tests, for near and far eye positions, that misordered tetrahedra differ in distance by at most
+// the single-precision rounding error of the mesh size.
 void CheckPrecision(Check& check)
 {
   CubeMesh form;

@@ -17,7 +17,7 @@ namespace
 using namespace reference;
 using Point = std::array<double, 3>;
 
-// Returns a long tetrahedron from a point on a circle to the point 120 degrees further, descending
+// Returns a long tetrahedron that connects two points on a circle, 120 degrees apart, and descends
 // from z = 0.1 to z = -0.1. Each of the three tetrahedra rests on the previous one.
 std::array<Point, 4> MakeStick(int third)
 {
@@ -83,7 +83,7 @@ void CheckSticks(Check& check)
   }
 }
 
-// Returns the tetrahedra in front of each tetrahedron, as determined by shared faces.
+// Returns, for each tetrahedron, those face neighbors that are in front of it.
 std::vector<std::vector<std::uint32_t>> Relate(
   const interlume::TetrahedraMesh& mesh, const Point& eye)
 {
@@ -125,7 +125,7 @@ std::vector<std::vector<std::uint32_t>> Relate(
   return inFront;
 }
 
-// Returns the number of tetrahedra that are in front of themselves.
+// Returns the number of tetrahedra in cycles, which are indirectly in front of themselves.
 long long CountInCycles(const std::vector<std::vector<std::uint32_t>>& inFront)
 {
   long long count = 0;
@@ -148,7 +148,7 @@ long long CountInCycles(const std::vector<std::vector<std::uint32_t>>& inFront)
   return count;
 }
 
-// Returns true if, for each relation, a precedes b in the order, unless both are in a cycle.
+// Returns true if the order lists each tetrahedron after those in front of it, except in cycles.
 bool IsOrderConsistent(
   const std::vector<std::vector<std::uint32_t>>& inFront, const std::vector<std::uint32_t>& order)
 {
@@ -190,7 +190,7 @@ bool IsOrderConsistent(
   return true;
 }
 
-// Tests cycles over shared faces, which convex meshes of long and thin tetrahedra have.
+// Tests cycles through shared faces, which occur in convex meshes of long and thin tetrahedra.
 void CheckDistorted(Check& check)
 {
   CubeMesh form;

@@ -18,7 +18,7 @@ using Point = std::array<double, 3>;
 const std::array<Point, 4> Corner = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
   { { 0, 0, 1 } } } };
 
-// Checks that the order has no cycles and is correct along all tested rays.
+// Checks that the order has no cycles and is correct along rays through pixels.
 void CheckOrder(
   const interlume::TetrahedraMesh& mesh, const interlume::ViewRays& rays, Check& check)
 {
@@ -32,7 +32,8 @@ void CheckOrder(
   check.Equal(errors.Misordered, 0, "errors along rays through pixels");
 }
 
-// Tests even and odd image sizes, with rays next to the planes of faces and within them.
+// Tests eye positions in the planes of faces. In images of even size, rays are close to these
+// planes. In images of odd size, some rays lie in them.
 void CheckAlignedEyePositions(Check& check)
 {
   CubeMesh form;
@@ -55,7 +56,7 @@ void CheckAlignedEyePositions(Check& check)
         check.SetContext("eye at " + std::to_string(eye[0]) + ", " + std::to_string(eye[1]) + ", " +
           std::to_string(eye[2]) + ", " + std::to_string(pieces) + " per cube");
         CheckOrder(connected, rays, check);
-        // Rays within the planes do not define an order of disconnected pieces.
+        // Along rays in the planes of faces, disconnected tetrahedra have no unique order.
         if (pixels == 64)
         {
           check.SetContext("no shared points");
@@ -124,7 +125,7 @@ void CheckSmall(Check& check)
   visibility.Compute(mesh, rays, order);
   check.That(order == std::vector<std::uint32_t>{ 0 }, "one tetrahedron");
 
-  // Coplanar axes define no image.
+  // Parallel image axes define an image without area.
   interlume::ViewRays flat = rays;
   flat.Up = flat.Right;
   visibility.Compute(mesh, flat, order);

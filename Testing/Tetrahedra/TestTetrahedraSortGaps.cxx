@@ -18,8 +18,8 @@ struct Tally : OrderTally
 {
   long long RandomPairs = 0;
   long long RandomMisordered = 0;
-  // Number of errors of MPVO, the order from shared faces only. These errors show that the meshes
-  // require relations across gaps.
+  // Number of misordered pairs if the order is computed only from shared faces (MPVO). They show
+  // that the meshes require relations across gaps.
   long long MisorderedByFacesOnly = 0;
 };
 
@@ -50,7 +50,7 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name,
   }
 }
 
-// Returns two touching slabs with different splits and no common points.
+// Returns two touching slabs that are split into tetrahedra differently and share no points.
 interlume::TetrahedraMesh MakeTouchingSlabs()
 {
   CubeMesh form;

@@ -20,7 +20,8 @@ using namespace reference;
 using Event = interlume::ViewRayEvents::Event;
 using Relation = interlume::ViewRayEvents::Relation;
 
-// Checks triangles that cover a square, with corners, edges and diagonals at pixel centers.
+// Checks that triangles whose corners, edges and diagonals are at pixel centers cover each pixel of
+// a square exactly once.
 void CheckCover(const interlume::ViewRays& rays, const std::string& name, Check& check)
 {
   check.SetContext(name);
@@ -157,7 +158,8 @@ void CheckRelations(Check& check)
       "touching pieces", check);
     Expect({ Leave(2 + error, 1), Enter(2, 2), Leave(3, 2) }, { { 2, 1 } },
       "touching pieces, eye inside", check);
-    // The outline of a piece in front of another, and a tetrahedron that the ray only touches.
+    // A ray along the outline of a piece in front of another one, and a tetrahedron that the ray
+    // only touches.
     Expect({ Enter(1, 0), Leave(1 + error, 1), Enter(2, 2), Leave(3, 3) }, {}, "an outline", check);
     Expect(
       { Enter(1, 0), Leave(2, 1), Enter(2.5, 4), Leave(2.5 + error, 4), Enter(3, 2), Leave(4, 3) },
@@ -165,7 +167,7 @@ void CheckRelations(Check& check)
     Expect({ Enter(1, 0), Leave(2, 1), Enter(2, 4), Leave(2 + error, 4), Enter(2, 2), Leave(4, 3) },
       { { 2, 1 } }, "a touched tetrahedron between touching pieces", check);
   }
-  // Enough events to use the second sorting method.
+  // So many events that ViewRayEvents uses std::sort instead of insertion sort.
   std::vector<Event> many;
   std::vector<Relation> expected;
   for (std::uint32_t t = 0; t < 100; ++t)

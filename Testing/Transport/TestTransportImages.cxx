@@ -20,8 +20,8 @@ using namespace reference;
 
 constexpr double SolidAngleOfAll = 4.0 * 3.14159265358979324;
 
-/// Returns a view ray to a slab, with the given cosine between ray and normal. Row 0 is on the lit
-/// side.
+/// Returns a view ray to a slab, with the given cosine of the angle between the ray and the normal.
+/// Rays of row 0 start on the lit side.
 TransportRay MakeSightLine(double cosine, int row, double thickness)
 {
   const double across = std::sqrt(1.0 - cosine * cosine);
@@ -29,10 +29,10 @@ TransportRay MakeSightLine(double cosine, int row, double thickness)
                   : TransportRay{ { 0.0, 0.0, thickness + 1.0 }, { across, 0.0, -cosine } };
 }
 
-/// van de Hulst, "Multiple Light Scattering", 1980, volume II, table 35: diffuse intensity of a
-/// slab. Depth 2, albedo 0.9, Henyey-Greenstein g = 0.75, light along the normal. The unit is such
-/// that R is the integral of 2 mu I. The published limits at mu = 0 are skipped, since no view ray
-/// has mu = 0.
+/// Compares diffuse intensities I of a slab with van de Hulst, "Multiple Light Scattering", 1980,
+/// volume II, table 35: optical depth 2, albedo 0.9, Henyey-Greenstein g = 0.75, light along the
+/// normal. I is scaled so that the reflection R is the integral of 2 mu I over mu from 0 to 1. The
+/// published limits at mu = 0 are skipped, since no view ray has mu = 0.
 void CheckPublished(Check& check)
 {
   const std::array<double, 6> cosines = { { 0.1, 0.3, 0.5, 0.7, 0.9, 1.0 } };
@@ -60,7 +60,8 @@ void CheckPublished(Check& check)
   }
 }
 
-/// Single scattering in a slab that is lit at an oblique angle; one channel per albedo.
+/// Tests single scattering in a slab that is lit at an oblique angle. The albedo differs between
+/// color channels.
 void CheckSingle(Check& check)
 {
   ImageTransportSettings settings;
@@ -91,7 +92,7 @@ void CheckSingle(Check& check)
   }
 }
 
-/// A medium without absorption is invisible in uniform light from all directions.
+/// Tests that a medium without absorption is invisible in uniform light from all directions.
 void CheckFurnace(Check& check)
 {
   const FunctionMedium sphere(

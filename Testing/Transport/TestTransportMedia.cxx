@@ -28,14 +28,14 @@ glm::dvec3 ToVector(const std::array<double, 3>& v)
   return { v[0], v[1], v[2] };
 }
 
-/// Returns a ray that begins outside the unit cube around the origin.
+/// Returns a ray that starts outside the unit cube centered at the origin and intersects it.
 TransportRay MakeRay(Random& random)
 {
   const glm::dvec3 direction = ToVector(random.GetDirection());
   return { ToVector(random.GetPoint(0.4)) - 3.0 * direction, direction };
 }
 
-/// Returns the optical depth of a ray by the midpoint rule, with steps inside each cell.
+/// Integrates the extinction along a ray by the midpoint rule, with equal steps in each cell.
 double SumDepth(const TransportMedium& medium, const TransportRay& ray, double end, Check& check)
 {
   constexpr int Steps = 40;
@@ -109,7 +109,7 @@ void CheckCells(Check& check)
   const CellMedium medium(glm::dvec3(-0.5), glm::dvec3(1.0 / 3.0, 0.2, 1.0 / 7.0), { { 3, 5, 7 } },
     extinction, { glm::dvec3(0.3) });
   check.SetContext("cells");
-  // The cell (2, 1, 4).
+  // A position in cell (2, 1, 4).
   check.Near(medium.GetExtinction({ 0.4, -0.2, 0.1 }), extinction[2 + 3 * (1 + 5 * 4)], 0.0,
     "extinction of one cell");
   CheckFlights(medium, "cells", check);

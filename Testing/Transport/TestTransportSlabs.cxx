@@ -47,10 +47,10 @@ const Row Rows[] = {
     { 0.13534, 5e-6 } },
   { "II, table 37, depth 1", 1.0, 1.0, 0.75, 1.0, 1300000, { 0.07874, 5e-6 }, { 0.55338, 5e-6 },
     { 0.36788, 5e-6 } },
-  // The printed R, T and direct light add up to 1.00001.
+  // The published R, T and direct light add up to 1.00001, so the rounding error is larger.
   { "II, table 37, depth 8", 8.0, 1.0, 0.75, 1.0, 60000, { 0.50642, 1e-5 }, { 0.49325, 1e-5 },
     { 0.00034, 5e-6 } },
-  // Isotropic scattering, light at a cosine of 0.1.
+  // Isotropic scattering, cosine of the angle of incidence 0.1.
   { "I, table 12, depth 1/32, albedo 0.2", 0.03125, 0.2, 0.0, 0.1, 350000, { 0.025447, 5e-7 }, {},
     {} },
   { "I, table 12, depth 1/32, albedo 1", 0.03125, 1.0, 0.0, 0.1, 300000, { 0.13462, 5e-6 }, {},
@@ -106,9 +106,9 @@ void CheckRows(Check& check)
   }
 }
 
-// Without absorption, reflection and transmission of all paths add up to 1, for any g and for a
-// majorant above the extinction. The control variate is subtracted from one side and added to the
-// other, so that it cancels in the sum.
+// Tests that, without absorption, reflection and transmission add up to 1, for any g and with a
+// majorant above the extinction. The control variate is subtracted from one and added to the other,
+// so it cancels in the sum.
 void CheckFurnace(Check& check)
 {
   for (const double g : { -0.99, -0.4, 0.0, 0.0005, 0.6, 0.99 })
@@ -148,7 +148,7 @@ void CheckThin(Check& check)
   check.Near(black.Reflected.Value + black.Transmitted.Value, 0.0, 0.0, "albedo 0", 1.0);
 }
 
-// Null collisions change the noise, but not the mean.
+// Tests that null collisions change the noise but not the mean.
 void CheckMajorant(Check& check)
 {
   SlabTransportSettings settings = GetSettings(Rows[0]);
@@ -163,7 +163,7 @@ void CheckMajorant(Check& check)
     "T with null collisions");
 }
 
-// A tabulated Henyey-Greenstein function scatters as the closed form does.
+// Tests that a tabulated Henyey-Greenstein function scatters like the closed form.
 void CheckTable(Check& check)
 {
   const TransportPhase formula = TransportPhase::HenyeyGreenstein(0.75);
@@ -191,7 +191,7 @@ void CheckTable(Check& check)
     "R with a tabulated phase function");
 }
 
-// The reported standard errors match the spread of results with other seeds.
+// Tests that the reported standard errors match the spread of results with different seeds.
 void CheckErrors(Check& check)
 {
   SlabTransportSettings settings = GetSettings(Rows[2]);

@@ -67,7 +67,7 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
     .add_option(
       "--data", arguments.Data, "Directory of the data files; default: the project's Data")
     ->check(CLI::ExistingDirectory);
-  // Hidden options for the tests of this program and for processes that it starts.
+  // Hidden options for the tests of this program and for the child processes that it starts.
   app.add_flag("--tiny", arguments.Tiny)->group("");
   app.add_option("--task", arguments.Task)->group("");
 
@@ -91,7 +91,7 @@ BenchResults Start(const Arguments& arguments)
                                 : BenchResults::Read(arguments.From);
 }
 
-/// Runs the suite, unless its rows were read from an earlier run, and checks its targets.
+/// Runs the suite, unless its rows were read from an earlier run, and checks its claims.
 void Run(const BenchSuite& suite, const Arguments& arguments, BenchResults& results)
 {
   if (arguments.From.empty())

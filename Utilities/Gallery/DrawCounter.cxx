@@ -73,14 +73,15 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
 {
   BufferCount count;
   const vtkIdType pixels = panel.GetPixels();
-  // Color (RGBA8) and depth of the window, and the copies into which it resolves them.
+  // The color (RGBA8) and depth textures of the window, and the textures into which they are
+  // resolved.
   count.Buffers = 4;
   count.Bytes = 16 * pixels;
   if (panel.UsesAmbientOcclusion())
   {
     features.insert("ambient-occlusion");
-    // Color RGBA32F, position and normal RGB16F, occlusion R8, depth 32F. Two passes compute and
-    // combine the occlusion.
+    // Textures of vtkSSAOPass: color RGBA32F, position and normal RGB16F, occlusion R8, depth 32F.
+    // Its two screen-space passes compute the occlusion and combine it with the color.
     count.Buffers += 5;
     count.Bytes += (16 + 6 + 6 + 1 + 4) * pixels;
     count.ScreenPasses += 2;
@@ -88,7 +89,6 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
   if (auto* scene = vtkShadowedScenePass::SafeDownCast(panel.GetRenderer()->GetPass()))
   {
     features.insert("scene-shadows");
-    // Shadow maps, camera depth, transmittance of volumes.
     for (const char* name : { "DepthMapBytes", "CameraDepthBytes", "TransmittanceBytes" })
     {
       const double bytes = scene->GetReport()->GetNumber(name);

@@ -17,13 +17,13 @@ class Panel;
 struct SceneReport;
 
 /**
- * Counts how often each surface of a renderer is drawn. The result is the maximum over the mappers.
+ * Counts how often each surface of a renderer is drawn. GetPasses() returns the largest count.
  */
 class DrawCounter
 {
 public:
   /**
-   * Starts to count how often each actor in \a renderer is drawn.
+   * Starts counting how often each actor in \a renderer is drawn.
    */
   explicit DrawCounter(vtkRenderer* renderer);
   ~DrawCounter();
@@ -37,7 +37,7 @@ private:
 
 /**
  * Number and size of the off-screen textures of a panel and its window, and number of screen-space
- * passes that process them.
+ * passes that process these textures.
  */
 struct BufferCount
 {
@@ -47,8 +47,8 @@ struct BufferCount
 };
 
 /**
- * Counts the textures that the window, ambient occlusion and scene shadows hold after \a panel was
- * drawn. Assumes the texture formats of VTK 9. Adds the names of active features to \a features.
+ * Counts the textures that the window, ambient occlusion and scene shadows used to draw \a panel.
+ * Assumes the texture formats of VTK 9. Adds the names of active features to \a features.
  */
 BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features);
 

@@ -12,14 +12,14 @@ class vtkImageData;
 namespace gallery
 {
 /**
- * Writes an image as PNG.
+ * Writes an image to a PNG file.
  * @throw std::runtime_error if the file cannot be written.
  */
 void WritePng(vtkImageData* image, const std::string& path);
 
 /**
- * Writes the frames of an animation as `<id>/000.png`, `<id>/001.png` and so on. If VTK has an
- * encoder, also writes the movie `<id>.ogv`.
+ * Writes the frames of an animation as `<id>/000.png`, `<id>/001.png` and so on. If VTK has an Ogg
+ * Theora encoder, also writes the movie `<id>.ogv`.
  */
 class FrameFiles
 {
@@ -33,7 +33,7 @@ public:
   /// Completes the movie. Returns false if there is no movie or it could not be written.
   bool Finish();
 
-  /// Returns the path of the frame \a number, relative to the output directory.
+  /// Returns the path of frame \a number, relative to the output directory.
   static std::string GetName(const std::string& id, int number);
   static std::string GetMovieName(const std::string& id) { return id + ".ogv"; }
 

@@ -43,7 +43,7 @@ void PrintList()
 
 gallery::ImageSize ParseSize(const std::string& text, int samples)
 {
-  // OpenGL renders images of up to 16384 pixels in each direction.
+  // Many OpenGL implementations limit images to 16384 pixels in each direction.
   const int largest = 16384 / samples;
   gallery::ImageSize size = { 0, 0, samples };
   char rest = 0;

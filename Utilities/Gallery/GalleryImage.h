@@ -7,7 +7,7 @@
 #include "vtkSmartPointer.h"
 
 /**
- * Images in memory: RGB, unsigned char, lower left pixel first.
+ * Functions for images in memory. Images are RGB, unsigned char, with the lower left pixel first.
  */
 namespace gallery
 {
@@ -18,8 +18,8 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height);
 
 /**
  * Keeps a connection to the display open. A virtual X server resets when its last client
- * disconnects, and rejects windows that are opened meanwhile. Programs that open several windows
- * one after another should first create a DisplayHold.
+ * disconnects, and no window can be opened during the reset. Programs that open several windows one
+ * after another should first create a DisplayHold.
  */
 class DisplayHold
 {
@@ -42,7 +42,8 @@ vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window);
 void Paste(vtkImageData* whole, vtkImageData* part, int left, int bottom);
 
 /**
- * Returns the image reduced by \a factor. Each pixel is the mean of factor x factor pixels.
+ * Returns \a large reduced by \a factor along each axis. Each pixel is the mean of factor x factor
+ * pixels.
  */
 vtkSmartPointer<vtkImageData> AverageDown(vtkImageData* large, int factor);
 }

@@ -50,7 +50,7 @@ dl .features { grid-column: 1 / -1; }
 footer { color: var(--soft); font-size: 13px; padding-bottom: 56px; }
 )css";
 
-/// Script that plays the frames of animations. It skips frames that are not loaded yet.
+/// JavaScript that plays the frames of animations. It skips frames that are not loaded yet.
 const char* const SCRIPT = R"js(
 document.querySelectorAll('img[data-frames]').forEach(image => {
   const frames = JSON.parse(image.dataset.frames).map(name => {
@@ -101,7 +101,7 @@ void WriteFact(std::ostream& page, const std::string& name, const std::string& v
   page << "<div><dt>" << name << "</dt><dd>" << value << "</dd></div>\n";
 }
 
-/// Writes the totals of all sliced volumes.
+/// Writes the number of slices, lights and light buffers of all sliced volumes.
 void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
 {
   if (volumes.empty())
@@ -122,7 +122,8 @@ void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
   WriteFact(page, "Light buffers", std::to_string(lightBuffers));
 }
 
-/// Writes the animation of a scene: frames that a script plays, and a link to the movie.
+/// Writes the animation of a scene: frames that a script plays, and a link to the movie if there is
+/// one.
 void WriteFrames(std::ostream& page, const Scene& scene, const SceneReport& report)
 {
   if (report.Frames == 0)

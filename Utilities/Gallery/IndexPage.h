@@ -10,8 +10,8 @@
 namespace gallery
 {
 /**
- * Writes \a folder/index.html: one self-contained page that shows the images `<id>.png` in the same
- * directory with title, figure number, caption, times, counters, data sources and license.
+ * Writes \a folder/index.html, a page that shows the images `<id>.png` in the same directory, each
+ * with its title, figure number, caption, times, counters, data sources and license.
  * @throw std::runtime_error if the file cannot be written.
  */
 void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& reports);

@@ -24,7 +24,7 @@ namespace gallery
 {
 namespace
 {
-/// Collects rectangles in pixels, each of one color, and draws them as one actor.
+/// Collects single-colored rectangles, in pixel coordinates, and draws them as one actor.
 class Rectangles
 {
 public:

@@ -12,9 +12,9 @@ namespace gallery
 {
 namespace
 {
-/// Returns evenly spaced control points from the lower to the upper end. The darkest tenth of
-/// viridis and the darkest fifth of inferno are excluded, since shading is not visible on these
-/// colors.
+/// Returns the colors of evenly spaced control points from the lower to the upper end of the map.
+/// The darkest tenth of viridis and the darkest fifth of inferno are excluded, since shading is not
+/// visible on these colors.
 std::vector<vtkColor3d> ControlPoints(Map map)
 {
   switch (map)

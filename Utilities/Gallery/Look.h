@@ -13,7 +13,7 @@ class vtkRenderer;
  */
 namespace gallery
 {
-/// Returns the background color of all images.
+/// Returns the default background color.
 vtkColor3d Background();
 
 /// Returns a dark background color for volumes with additive blending. Their bright parts become
@@ -23,12 +23,12 @@ vtkColor3d DarkBackground();
 /// Returns the color of text.
 vtkColor3d Ink();
 
-/// Returns the color of outlines and of surfaces that only help orientation.
+/// Returns the color of outlines and of surfaces that only provide context.
 vtkColor3d Pencil();
 
 /**
  * Returns the color of interval \a i, 0 to 5. The six hues have similar saturation and remain
- * distinct for color-blind readers and in grayscale.
+ * distinguishable for color-blind readers and in grayscale.
  */
 vtkColor3d IntervalColor(int i);
 
@@ -43,13 +43,13 @@ enum class Map
 };
 
 /**
- * Returns the color map over [lower, upper].
+ * Returns a color map over [lower, upper].
  */
 vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(Map map, double lower, double upper);
 
 /**
- * Sets the background and the lights of \a renderer: a key light from above and one side, a weak
- * fill light from the other side, and a headlight. The lights move with the camera.
+ * Sets the background and the lights of \a renderer: a key light from the upper left, a weaker fill
+ * light from the right, and a headlight. The lights move with the camera.
  */
 void ApplyLook(vtkRenderer* renderer);
 }

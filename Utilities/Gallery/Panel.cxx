@@ -51,7 +51,8 @@ void ForEachProp(vtkRenderer* renderer, const Visit& visit)
   }
 }
 
-/// Multiplies the line widths and point sizes of all actors by a factor, and restores them.
+/// Multiplies the line widths and point sizes of all actors by a factor. The destructor restores
+/// them.
 class LineScale
 {
 public:
@@ -85,8 +86,8 @@ private:
   std::map<vtkProperty*, std::array<double, 2>> Sizes;
 };
 
-/// Returns the dataset with the points of a prop, or nullptr if the prop is transformed or has no
-/// points.
+/// Returns the point set that a prop renders, or nullptr if the prop is transformed or its input is
+/// not a point set.
 vtkPointSet* GetShape(vtkProp* prop)
 {
   auto* prop3D = vtkProp3D::SafeDownCast(prop);
@@ -214,8 +215,8 @@ void Panel::PreparePasses()
 vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height, double lineScale)
 {
   const LineScale scale(this->Renderer, lineScale);
-  // Each panel has its own window, since the ambient occlusion of VTK 9.1 requires that a renderer
-  // covers its window.
+  // Each panel is drawn in a separate window, since vtkSSAOPass of VTK 9.1 requires that the
+  // renderer covers the window.
   this->PreparePasses();
   this->Pixels = static_cast<vtkIdType>(width) * height;
   vtkSmartPointer<vtkRenderWindow> window = MakeWindow(width, height);
@@ -273,8 +274,8 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
   {
     return;
   }
-  // In perspective, the extent on screen depends on the distance. A few iterations of panning and
-  // dollying are sufficient.
+  // In a perspective view, the size of the props on screen depends on the distance. A few
+  // iterations of panning and dollying are sufficient.
   const double pi = 3.14159265358979323846;
   const double slope = std::tan(0.5 * this->Camera->GetViewAngle() * pi / 180.0);
   vtkVector3d from(this->Camera->GetPosition());

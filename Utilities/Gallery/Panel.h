@@ -22,7 +22,8 @@ namespace gallery
 /**
  * A view within an image, with its props, camera and caption. Created by Stage::AddPanel.
  *
- * The camera is given by its direction only. The stage fits it so that the props fill the panel.
+ * The scene sets only the direction of the camera. The stage fits the camera so that the props fill
+ * the panel.
  */
 class Panel
 {
@@ -54,13 +55,13 @@ public:
   void Frame(const vtkBoundingBox& bounds) { this->FramedBox = bounds; }
 
   /**
-   * Replaces the default lights. Any type of light is valid.
+   * Replaces the default lights. Lights of any type are supported.
    */
   void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
 
   /**
-   * Uses a parallel projection, in which objects of the same size appear equally large. Default:
-   * perspective.
+   * Uses a parallel projection, in which the apparent size of objects does not depend on their
+   * distance. Default: perspective.
    */
   void UseParallelProjection() { this->Camera->ParallelProjectionOn(); }
 
@@ -78,17 +79,18 @@ public:
   ///@{
   /**
    * Used by Stage. GetPoints() returns the points to which Fit() fits the camera. GetPixels()
-   * returns the number of pixels of the last drawing.
+   * returns the number of pixels drawn by the last call of Draw().
    */
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkCamera* GetCamera() const { return this->Camera; }
   bool UsesAmbientOcclusion() const;
   std::vector<vtkVector3d> GetPoints() const;
   void Fit(const std::vector<vtkVector3d>& points, double aspect);
-  /// Draws in a window of its own. Lines and points are \a lineScale times as wide as their
-  /// properties set.
+  /// Draws the panel in a new window. Lines and points are \a lineScale times as large as their
+  /// properties specify.
   vtkSmartPointer<vtkImageData> Draw(int width, int height, double lineScale = 1.0);
-  /// Draws in \a window, which shows only this panel and can be reused.
+  /// Draws the panel in \a window, which must contain only this panel's renderer. The window can be
+  /// reused.
   vtkSmartPointer<vtkImageData> DrawIn(vtkRenderWindow* window);
   vtkIdType GetPixels() const { return this->Pixels; }
   ///@}

@@ -130,7 +130,7 @@ vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& arr
   gradient->SetInputScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   gradient->SetResultArrayName(GRADIENT);
   gradient->Update();
-  // VTK's filter does not pass field data of structured data.
+  // vtkGradientFilter does not pass on the field data of structured datasets.
   gradient->GetOutput()->GetFieldData()->PassData(data->GetFieldData());
   return vtkDataSet::SafeDownCast(gradient->GetOutput());
 }

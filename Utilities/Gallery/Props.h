@@ -18,29 +18,29 @@ class vtkScalarsToColors;
 class vtkStructuredGrid;
 
 /**
- * Surfaces and data of scenes: surfaces of tetrahedra, boundary triangles, walls.
+ * Functions that create actors, surfaces and data for scenes.
  */
 namespace gallery
 {
 /**
- * Returns the cells of \a triangles whose cell array \a array equals \a value. All points are
- * retained.
+ * Returns those cells of \a triangles for which the cell array \a array equals \a value. All points
+ * are retained.
  */
 vtkSmartPointer<vtkUnstructuredGrid> SelectTriangles(
   vtkUnstructuredGrid* triangles, const std::string& array, int value);
 
 /**
  * Computes point normals from the gradient that AddGradient() added to the input of an extraction.
- * On the LOWER_SIDE (vtkIntervalVolume::BoundarySides) of an interval they point against the
- * gradient.
+ * On the LOWER_SIDE of an interval (see vtkIntervalVolume::BoundarySides), the normals point
+ * against the gradient.
  */
 void SetGradientNormals(vtkPointData* pointData, int side);
 
 /**
- * Returns the boundary triangles of an extraction whose cell array `BoundarySide` equals \a side
- * (vtkIntervalVolume::BoundarySides). All points are retained. Point normals are computed from the
- * gradient of the field, since they are smoother than triangle normals. The input of the extraction
- * must be a result of AddGradient().
+ * Returns the boundary triangles of an extraction for which the cell array `BoundarySide` equals
+ * \a side (see vtkIntervalVolume::BoundarySides). All points are retained. Point normals are
+ * computed from the gradient of the field, since they are smoother than triangle normals. The input
+ * of the extraction must be a result of AddGradient().
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side);
 
@@ -62,18 +62,19 @@ vtkSmartPointer<vtkActor> MakeColoredActor(
   vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colors);
 
 /**
- * Returns \a data with the gradient of the point array \a array as the point array `Gradient`.
+ * Returns a copy of \a data with an additional point array `Gradient`, the gradient of the point
+ * array \a array.
  */
 vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& array);
 
 /**
- * Returns the grid surface at \a index of \a axis (0 to 2), such as a wall.
+ * Returns the grid surface with the index \a index along \a axis (0 to 2), such as a wall.
  */
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index);
 
 /**
- * Returns \a image with hidden cells in the quarter with coordinates below \a x and \a y, which
- * cuts the image open.
+ * Returns a copy of \a image in which the cells below both \a x and \a y are hidden. This cuts a
+ * quarter out of the image.
  */
 vtkSmartPointer<vtkImageData> HideQuarter(vtkImageData* image, double x, double y);
 

@@ -15,7 +15,8 @@ std::vector<Scene>& Registry()
   return scenes;
 }
 
-/// Returns the chapter and the number within it. As text, "3.10" would sort before "3.3".
+/// Returns the chapter and the number of the figure within the chapter. As strings, "3.10" would
+/// sort before "3.3".
 std::pair<int, int> FigureNumber(const Scene& scene)
 {
   const std::string::size_type dot = scene.Figure.find('.');

@@ -20,15 +20,17 @@ struct Scene
 {
   /// Unique name on the command line, such as `interval-linear`.
   std::string Id;
-  /// Number of the corresponding figure of the dissertation, such as `3.3`.
+  /// Number of the corresponding figure in C. Zhang's dissertation, such as `3.3`.
   std::string Figure;
-  /// One line.
+  /// Title in one line.
   std::string Title;
-  /// Two or three sentences for the page: what the image shows, and which details to look at.
+  /// Two or three sentences for the gallery page: what the image shows, and which details to look
+  /// at.
   std::string Caption;
-  /// Files of Data/ that the scene reads. Each has a row in the manifest. Empty for analytic data.
+  /// Files in Data/ that the scene reads. Each has a row in the data manifest. Empty for analytic
+  /// data.
   std::vector<std::string> Data;
-  /// Fills an empty stage.
+  /// Builds the scene on an empty stage.
   void (*Build)(Stage& stage);
 };
 

@@ -15,7 +15,8 @@ namespace gallery
 {
 namespace
 {
-/// Values of extraction filters that are reported as the maximum over all filters, not as the sum.
+/// Values in the reports of extraction filters for which the maximum over all filters is reported,
+/// not the sum.
 const std::set<std::string> LARGEST{ "ArraysInterpolated", "ArraysCopied", "Passes",
   "WorkingBytes" };
 
@@ -53,7 +54,7 @@ nlohmann::json ToJson(vtkInterlumeReport* report, std::initializer_list<const ch
   return values;
 }
 
-/// Returns the name of the mode whose index is \a value.
+/// Returns the entry of \a names whose index is stored as \a value in \a report.
 const char* GetMode(
   vtkInterlumeReport* report, const char* value, const std::vector<const char*>& names)
 {
@@ -128,7 +129,7 @@ double SumValues(vtkInterlumeReport* report, std::initializer_list<const char*> 
   double sum = 0.0;
   for (const char* name : names)
   {
-    // GetNumber reports an error for an unknown name.
+    // For an unknown name, GetNumber() is called once to report the error.
     const vtkIdType size = report->Has(name) ? report->GetSize(name) : 1;
     for (vtkIdType entry = 0; entry < size; ++entry)
     {

@@ -28,33 +28,34 @@ struct SceneReport
   int Width = 0;
   int Height = 0;
 
-  /// Wall-clock times of building the scene, including reading, of the extraction filters within
-  /// that time, and of rendering.
+  /// Wall-clock times: of building the scene (including reading files), of the extraction filters
+  /// (part of the build time), and of rendering.
   double BuildSeconds = 0.0;
   double ExtractSeconds = 0.0;
   double RenderSeconds = 0.0;
-  /// Number of animation frames, the time to render and write them, and true if a movie was
+  /// Number of animation frames, the time to render and write them, and whether a movie was
   /// written.
   int Frames = 0;
   double FrameSeconds = 0.0;
   bool HasMovie = false;
 
   /// Names of the active features: `criteria`, `boundaries`, `time`, `time-boundaries` (boundaries
-  /// that are tetrahedra), `time-slices`, `flow`, `stream-surfaces`, `time-surfaces`, `volumes`,
-  /// `slices`, `inflow-textures`, `shadows`, `scene-shadows`, `ambient-occlusion`.
+  /// that consist of tetrahedra), `time-slices`, `flow`, `stream-surfaces`, `time-surfaces`,
+  /// `volumes`, `slices`, `inflow-textures`, `shadows`, `scene-shadows`, `ambient-occlusion`.
   std::set<std::string> Features;
 
-  /// Extraction filters that ran, their intervals and criteria, and the sizes of their outputs.
+  /// Numbers of executed extraction filters, of their intervals and criteria, and of the cells in
+  /// their outputs.
   int Filters = 0;
   int Intervals = 0;
   int Criteria = 0;
   vtkIdType Tetrahedra = 0;
   vtkIdType BoundaryTriangles = 0;
-  /// Time-varying interval volumes: the maximum number of time slabs, and the number of
-  /// 4-simplices.
+  /// Time-varying interval volumes: the maximum number of time slabs over all filters, and the
+  /// number of 4-simplices.
   int Slabs = 0;
   vtkIdType Simplices = 0;
-  /// Values of the filters' reports by name: the sum over the filters, or the maximum of values
+  /// Values of the filters' reports by name: the sum over the filters, or the maximum for values
   /// that cannot be added.
   std::map<std::string, vtkIdType> Extraction{ { "Cells", 0 }, { "CellsVisited", 0 },
     { "CellsWithOutput", 0 }, { "LowerDimensionalCells", 0 }, { "NonFiniteCells", 0 },
@@ -62,8 +63,9 @@ struct SceneReport
     { "CollapsedSimplices", 0 }, { "ArraysInterpolated", 0 }, { "ArraysCopied", 0 },
     { "Passes", 0 }, { "WorkingBytes", 0 } };
 
-  /// Flow volumes: cells of the implicit flow fields, cells that were skipped because values cannot
-  /// be interpolated in them, and extraction passes by inflow value and by advection time.
+  /// Flow volumes: the numbers of cells of the implicit flow fields, of cells that were skipped
+  /// because values cannot be interpolated in them, and of extraction passes by inflow value and by
+  /// advection time.
   vtkIdType FlowCells = 0;
   vtkIdType SkippedFlowCells = 0;
   int InflowPasses = 0;
@@ -73,14 +75,15 @@ struct SceneReport
   int Panels = 0;
   int SurfacePanels = 0;
   int OcclusionPanels = 0;
-  /// Sum over the panels of the passes over surfaces, over the tetrahedra of volumes and over the
-  /// buffers of sliced volumes, and of the screen-space passes of ambient occlusion.
+  /// Number of passes in all panels: passes over surfaces, passes of volume mappers, and
+  /// screen-space passes of ambient occlusion.
   int Passes = 0;
-  /// Off-screen textures of the rendering, including window buffers, and their size in bytes.
+  /// Number of off-screen textures used for rendering, including window buffers, and their size in
+  /// bytes.
   int Buffers = 0;
   vtkIdType Bytes = 0;
-  /// Copies of the mappers' reports: volumes of tetrahedra, sliced volumes, and volumes with inflow
-  /// textures. The members Passes, Buffers and Bytes include the values of these reports.
+  /// Copies of the mappers' reports for volumes of tetrahedra, sliced volumes, and volumes with
+  /// inflow textures. The members Passes, Buffers and Bytes include the values of these reports.
   using VolumeReports = std::vector<vtkSmartPointer<vtkInterlumeReport>>;
   VolumeReports Volumes;
   VolumeReports SlicedVolumes;
@@ -98,7 +101,7 @@ struct SceneReport
 
 nlohmann::json ToJson(const SceneReport& report);
 
-/// Returns the sum of all entries of the named values of a report.
+/// Returns the sum of the named values of a report, over all entries of each value.
 double SumValues(vtkInterlumeReport* report, std::initializer_list<const char*> names);
 }
 

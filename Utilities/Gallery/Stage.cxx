@@ -25,7 +25,8 @@ namespace
 constexpr double CAPTION_LINES = 2.4;
 constexpr double LEGEND_LINES = 4.4;
 
-/// Font size at which lines and points have the width that their scene sets.
+/// Font size at which lines and points have the size set by their scene. They scale with the font
+/// size.
 constexpr double FONT_OF_LINES = 18.0;
 
 /// Width of the gap between panels with a gradient background, as a fraction of the image's width.
@@ -60,7 +61,7 @@ Panel& Stage::AddPanel(const std::string& caption, const vtkVector3d& from, cons
   Panel& panel = this->AddPanel(caption);
   if (this->Panels.size() > 1)
   {
-    panel.LookAs(*this->Panels.front());
+    panel.ShareCamera(*this->Panels.front());
   }
   else
   {

@@ -78,46 +78,47 @@ public:
   ///@}
 
   /**
-   * Runs an extraction filter on \a input and adds its statistics to the report. Returns its
-   * tetrahedra, which further runs do not change. Boundary triangles, if generated, are on port 1
-   * of the filter.
+   * Runs an extraction filter on \a input and adds its statistics to the report. Returns a copy of
+   * its tetrahedra, which is not affected by further runs. Boundary triangles, if generated, are on
+   * port 1 of the filter.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkIntervalVolume* filter, vtkDataObject* input);
 
   /**
-   * Runs a time-varying interval volume on a temporal source, over the time steps that the filter
-   * uses. Boundaries, if generated, are on port 1 of the filter and are counted. 4-simplices are on
-   * port 2.
+   * Runs a time-varying interval volume on a temporal source, over the time steps selected in the
+   * filter, and adds its statistics to the report. Boundaries, if generated, are on port 1 of the
+   * filter, and 4-simplices on port 2.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(
     vtkTimeVaryingIntervalVolume* filter, vtkAlgorithm* source);
 
   /**
-   * Runs a flow volume on an implicit flow field with inflow values. Stream surfaces, if generated,
-   * are on port 1 of the filter, and time surfaces on port 2. Both are counted.
+   * Runs a flow volume on an implicit flow field with inflow values, and adds its statistics to the
+   * report. Stream surfaces, if generated, are on port 1 of the filter, and time surfaces on port
+   * 2.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkFlowVolume* filter, vtkDataObject* input);
 
   /**
-   * Runs a time slice on 4-simplices. Returns its tetrahedra and counts them.
+   * Runs a time slice on 4-simplices and adds its statistics to the report. Returns its tetrahedra.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(
     vtkSimplexTimeSlice* filter, vtkDataObject* simplices);
 
   /**
-   * Sets the animation: \a show updates the scene to a fraction of the animation, 0 to 1. Default:
-   * no animation.
+   * Sets the animation: \a show sets the scene to its state at \a fraction, 0 to 1, of the
+   * animation. Default: no animation.
    */
   void SetAnimation(const std::function<void(double fraction)>& show) { this->Show = show; }
   bool HasAnimation() const { return this->Show != nullptr; }
 
   /**
-   * Renders the image: RGB, unsigned char.
+   * Renders the image (RGB, unsigned char).
    */
   vtkSmartPointer<vtkImageData> Render();
 
   /**
-   * Renders the animation at a fraction. The report does not include this frame.
+   * Renders the frame at \a fraction of the animation. The report does not include it.
    */
   vtkSmartPointer<vtkImageData> RenderFrame(double fraction, const ImageSize& size);
 
@@ -143,7 +144,7 @@ private:
     int Caption;
   };
   Cell GetCell(std::size_t panel) const;
-  /// Runs a filter, counts its output and measures its time.
+  /// Runs a filter and returns its tetrahedra. Adds their number and the run time to the report.
   vtkSmartPointer<vtkUnstructuredGrid> Run(vtkAlgorithm* filter);
   void FitCameras();
   vtkSmartPointer<vtkImageData> DrawCaptions();
@@ -169,7 +170,7 @@ vtkSmartPointer<vtkImageData> RenderScene(
 
 /**
  * As above. If the scene has an animation, also renders \a frames frames and passes each to
- * \a take. Frames are evenly spaced from fraction 0 to fraction 1, which is excluded. They have
+ * \a take. Frames are evenly spaced over fractions from 0 (inclusive) to 1 (exclusive). They have
  * half the width and height of the image, and at most 2 x 2 samples per pixel.
  */
 vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, const ImageSize& size,

@@ -26,8 +26,8 @@ void BalanceColors(vtkColorTransferFunction* colors);
 /**
  * Adds a dark panel that shows where the scalars of \a source are between \a lower and \a upper,
  * over all times from its first to its last step. Colors of different times, balanced by
- * BalanceColors(), are added. \a extinction is per unit of length and time. Sets the color bar of
- * the stage.
+ * BalanceColors(), are blended additively. \a extinction is per unit of length and time. Sets the
+ * color bar of the stage.
  */
 Panel& AddPanelInTime(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction);

@@ -21,7 +21,7 @@ vtkSmartPointer<vtkVolume> Make(vtkUnstructuredGrid* tetrahedra, int scalarMode,
   mapper->SetInputData(tetrahedra);
   mapper->SetScalarMode(scalarMode);
   mapper->SelectScalarArray(array.c_str());
-  // No level of detail: gallery images have no time limit.
+  // Gallery images have no time limit, so level of detail is not needed.
   mapper->AutoAdjustLevelOfDetailOff();
   auto volume = vtkSmartPointer<vtkVolume>::New();
   volume->SetMapper(mapper);

@@ -20,7 +20,7 @@ class vtkUnstructuredGrid;
 namespace gallery
 {
 /**
- * Color and extinction, per unit of length, of an interval.
+ * Color of an interval, and its extinction per unit of length.
  */
 struct IntervalLook
 {
@@ -29,7 +29,7 @@ struct IntervalLook
 };
 
 /**
- * Returns a volume whose color and extinction, per unit of length, are functions of the point array
+ * Returns a volume whose color and extinction (per unit of length) are functions of the point array
  * \a array.
  */
 vtkSmartPointer<vtkVolume> MakeVolume(vtkUnstructuredGrid* tetrahedra, const std::string& array,

@@ -40,11 +40,11 @@ namespace interlume
  *
  * Integration uses the parametric coordinates of the cell: dp/dt = velocity, or its negative for
  * backward integration. A step may end slightly outside the cell. It is accepted if its error,
- * measured in world space, is at most MaximumError times the step time; MaximumError is raised if
- * it is below the rounding error of the speed. The dense output then cuts the step at the face
- * where it leaves the cell. If the step reaches a termination surface, it is repeated with its end
- * at the surface. The length of the first step follows from the time to cross the cell and the
- * curvature of the streamline. Each later cell continues with the step time of the previous cell.
+ * measured in world space, is at most MaximumError times its duration; MaximumError is raised if it
+ * is below the rounding error of the speed. The dense output then cuts the step at the face where
+ * it leaves the cell. If the step reaches a termination surface, it is repeated with its end at the
+ * surface. The duration of the first step follows from the time to cross the cell and the curvature
+ * of the streamline. Each later cell starts with the step duration of the previous cell.
  *
  * At edges and vertices a streamline may cross several faces without advancing in time. After 64
  * such crossings in a row, or a return to the previous cell, the next step starts from the current
@@ -58,15 +58,14 @@ namespace interlume
  * triangulation of a surface made from the field's own faces would decide whether the streamline
  * reaches it.
  *
- * An object must not be shared between threads. If the result object is reused, only the
- * constructor allocates memory.
+ * Do not share an object between threads. If the result object is reused, only the constructor
+ * allocates memory.
  */
 template <typename Walker>
 class Advection : private StreamlineState
 {
 public:
-  /// Constructs an advection with a copy of \a field. \a options must outlive the object and must
-  /// not change.
+  /// Copies \a field. \a options must outlive this object and must not change.
   Advection(const Walker& field, const AdvectionOptions& options)
     : Field(field)
     , Options(options)
@@ -111,8 +110,9 @@ public:
   ///@}
 
   ///@{
-  /// Start and Advance also return false if the streamline enters a cell of another process. Finish
-  /// must not be called then. The other process calls Resume with the saved state instead of Start.
+  /// Start and Advance also return false if the streamline enters a cell of another process.
+  /// IsOnOtherProcess then returns true, and Finish must not be called. The other process calls
+  /// Resume with the saved state instead of Start.
   bool IsOnOtherProcess() const { return this->IsLeaving; }
   void Save(AdvectionState& state) const
   {
@@ -177,8 +177,9 @@ public:
     count.HasRate = this->HasPointRate;
     return true;
   }
-  /// Returns true if the SIMD lane can continue: only a nearby surface stopped the lane, and the
-  /// exact distance shows that the next step cannot reach it. Otherwise call LoadFromSimdLane.
+  /// Returns true if the SIMD lane can continue because only a nearby surface stopped it, and the
+  /// exact distance shows that the next step cannot reach the surface. Otherwise call
+  /// LoadFromSimdLane.
   template <typename Steps>
   bool IsClear(Steps& steps, int lane)
   {
@@ -297,8 +298,9 @@ private:
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
 
-  /// Returns true if the streamline has reached a surface at a boundary face (a face without a
-  /// neighbor) that is within \a maximumDistance cell widths of the current point.
+  /// Returns true if the streamline has reached a surface at a boundary face, which is a face
+  /// without a neighbor. The face must be within \a maximumDistance cell widths of the current
+  /// point.
   bool ArrivesAtOuterFace(double maximumDistance)
   {
     for (int face = 0; face < this->Field.GetNumberOfFaces(); ++face)
@@ -440,7 +442,7 @@ private:
     }
   }
 
-  /// Crosses a face into the neighbor. Returns false if there is no neighbor.
+  /// Crosses a face into the neighboring cell. Returns false if there is none.
   bool Cross(int face)
   {
     const vtkIdType from = this->Field.GetCell();
@@ -455,7 +457,7 @@ private:
     this->CellBefore = from;
     this->HasPointRate = false;
     ++this->Result.Cells;
-    // A process that receives the streamline calls RecordCrossing in Resume.
+    // If another process owns the cell, it calls RecordCrossing in Resume.
     if (this->Field.IsHere())
     {
       this->RecordCrossing();
@@ -492,8 +494,8 @@ private:
     double limit = std::numeric_limits<double>::infinity();
     for (int face = 0; this->Options.DomainFaces && face < this->Field.GetNumberOfFaces(); ++face)
     {
-      // A streamline also ends at a domain face. Therefore an orbit must stay one cell away from
-      // the boundary.
+      // A streamline also ends at a domain face. Therefore an orbit that enters a cell with such a
+      // face does not count as closed.
       limit = this->Field.GetDomainFace(face) >= 0 ? 0.0 : limit;
     }
     for (int i = 0; this->Options.DomainFaces && i < 3; ++i)
@@ -550,7 +552,7 @@ private:
     }
   }
 
-  /// Estimates the length of the first step.
+  /// Estimates the duration of the first step.
   double GuessStep(double largestError, int order)
   {
     const double fastest = Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
@@ -571,8 +573,8 @@ private:
     {
       change[i] -= this->PointRate[i];
     }
-    // Relative change of the rate per unit of time. The error is modeled as a power of this change.
-    // The speed is scaled to about 1, so that no quotient overflows.
+    // The curvature is the relative change of the rate per unit of time. The error is modeled as a
+    // power of it. The speed is scaled to about 1, so that no quotient overflows.
     const double scale = MultilinearCell::GetScale(this->Speed);
     const double curvature =
       scale * this->GetWorldLength(this->Point, change) / probe / (scale * this->Speed);
@@ -761,7 +763,7 @@ private:
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
 
-  /// Moves to the end of a step within the cell.
+  /// Moves to the end of a step that stays in the cell.
   template <typename Method>
   bool MoveToEnd(const Method& method, double h, bool isLast)
   {
@@ -793,7 +795,7 @@ private:
   int LeavingFace = -1;
   bool HasPointRate = false;
   bool HasIntegrals;
-  /// True if the streamline continues on another process.
+  /// True if the streamline continues in another process.
   bool IsLeaving = false;
 };
 

@@ -15,9 +15,9 @@ namespace interlume
 
 /**
  * @class   AdvectionOptions
- * @brief   termination surfaces and resolved settings of Advection
+ * @brief   termination surfaces and settings of Advection
  *
- * All automatic settings must have been replaced by values.
+ * Advection requires that the caller has replaced all automatic settings with values.
  */
 struct AdvectionOptions : vtkFlowSettings
 {
@@ -43,13 +43,13 @@ struct AdvectionOptions : vtkFlowSettings
     int Id;
   };
   std::vector<Surface> Surfaces;
-  /// Indices, as in CellWalker's Interpolate(), of the arrays to average along the streamline.
+  /// Arrays to average along the streamline, as indices for CellWalker's Interpolate().
   std::vector<int> MeanNumbers;
 };
 
 /**
  * @class   AdvectionEnd
- * @brief   end of one streamline, without the averaged arrays
+ * @brief   end point and other results of one streamline, without the averages of arrays
  */
 struct AdvectionEnd
 {
@@ -70,8 +70,8 @@ struct AdvectionEnd
   int Evaluations = 0;
   int JacobianEvaluations = 0;
   int DistanceEvaluations = 0;
-  /// Tolerance that was applied if the streamline reached a surface at the boundary of the field. 0
-  /// if it intersected the surface.
+  /// Tolerance that was applied if the streamline reached a surface at the boundary of the field,
+  /// or 0 if it intersected the surface.
   double Nearness = 0.0;
   int Cells = 0;
 
@@ -84,7 +84,7 @@ struct AdvectionEnd
 
 /**
  * @class   AdvectionResult
- * @brief   end of one streamline, with the averaged arrays
+ * @brief   end point and other results of one streamline, including the averages of arrays
  */
 struct AdvectionResult : AdvectionEnd
 {

@@ -29,8 +29,8 @@ struct StreamlineState
   double Time = 0.0;
   /// Duration of the next step as allowed by the error control.
   double Step = 0.0;
-  /// Cell that the streamline left at the last crossing, and number of faces crossed since the time
-  /// last advanced.
+  /// Cell that the streamline left at the last crossing, and number of faces crossed since Time
+  /// last increased.
   vtkIdType CellBefore = -1;
   int Crossings = 0;
   StepController Controller;
@@ -49,7 +49,7 @@ struct StreamlineState
 struct AdvectionState
 {
   StreamlineState Values;
-  /// States of the surfaces (SurfaceCrossing) and sums of the integrals (PathIntegrals).
+  /// The numbers that SurfaceCrossing and PathIntegrals save.
   std::vector<double> Numbers;
 };
 

@@ -38,7 +38,7 @@ public:
   /// Error of the embedded solution of order 4.
   Number Error[3];
 
-  /// Computes a step. \a first is the rate at \a p. Returns a mask that is true if error and end
+  /// Computes a step. \a first is the rate at \a p. Returns a mask that is true where error and end
   /// are finite.
   template <typename Rate>
   INTERLUME_RETURNS_VECTOR Mask Take(
@@ -96,7 +96,7 @@ public:
           17253.0 / 339200.0 * this->K5[i] + 22.0 / 525.0 * this->K6[i] -
           1.0 / 40.0 * this->EndRate[i]);
     }
-    // The product with 0 is NaN for infinity and NaN.
+    // 0 times infinity or NaN is NaN.
     Number check = 0.0 * this->Error[0];
     for (const Number& number :
       { this->Error[1], this->Error[2], this->End[0], this->End[1], this->End[2] })
@@ -128,8 +128,8 @@ public:
   }
 
   /**
-   * Returns an estimate of h |lambda| with the dominant eigenvalue lambda of the Jacobian. The last
-   * two stages are both at the end of the step. Their difference approximates the dominant
+   * Returns an estimate of h |lambda|, where lambda is the dominant eigenvalue of the Jacobian. The
+   * last two stages are both at the end of the step. Their difference approximates the dominant
    * eigenvector if the field is stiff.
    */
   double GetStiffness() const

@@ -19,7 +19,7 @@ namespace interlume
  *
  * Integrals use four-point Gauss quadrature on the dense output of each step. The speed is sampled
  * at both ends and the midpoint of a step. If a streamline has zero duration, the means are the
- * values at its point.
+ * values at its start point.
  */
 template <typename Walker>
 class PathIntegrals

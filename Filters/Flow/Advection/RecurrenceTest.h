@@ -21,12 +21,12 @@ namespace interlume
  * number of cells entered has doubled, unless the streamline returns to the face.
  *
  * Each return completes one revolution. The crossing points yield the displacement over the first k
- * revolutions and over the next k, per coordinate. Their ratio, increased by a quarter, bounds the
- * growth from each block of k revolutions to the next. A geometric series then bounds the total
- * drift over all remaining revolutions. The orbit is closed if this bound is less than the minimum
- * distance to the surfaces after the first revolution, and less than a twentieth of the extent of
- * the orbit. Therefore a spiral that could still reach a surface, inward or outward, is not a
- * closed orbit. The bound is computed for k = 1, 2, 4, ... and becomes sharper because fewer
+ * revolutions and over the next k. The largest ratio of their coordinates, increased by a quarter,
+ * bounds the growth from each block of k revolutions to the next. A geometric series then bounds
+ * the total drift over all remaining revolutions. The orbit is closed if this bound is less than
+ * the minimum distance to the surfaces after the first revolution, and less than a twentieth of the
+ * extent of the orbit. Therefore a spiral that could still reach a surface, inward or outward, is
+ * not a closed orbit. The bound is computed for k = 1, 2, 4, ... and becomes tighter because fewer
  * revolutions are left each time.
  *
  * If the streamline would run out of time before it runs out of steps, the test is switched off and
@@ -69,7 +69,7 @@ public:
         GetRevolutions(used.Time - this->UsedBefore.Time, limits.Time - used.Time) <=
           GetRevolutions(used.Steps - this->UsedBefore.Steps, limits.Steps - used.Steps))
       {
-        // The streamline will run out of time first, which is a regular end.
+        // The streamline will run out of time before steps run out, so no test is needed.
         *this = RecurrenceTest();
         this->NextFace = std::numeric_limits<vtkIdType>::max();
         return;
@@ -103,12 +103,12 @@ public:
 
   /**
    * Records a step to \a x with a path length of at most \a pathLength. \a distance is the distance
-   * from \a x to the nearest surface. \a limit is the largest drift that cannot end the streamline
-   * in another way, such as at a domain face.
+   * from \a x to the nearest surface. \a limit is the largest drift that does not end the
+   * streamline in another way, such as at a domain face.
    */
   void Watch(const double x[3], double distance, double pathLength, double limit)
   {
-    // Every point of the step is within half the path length of one of its ends.
+    // Every point of the step is within half the path length of one of the ends of the step.
     this->Clearance = std::min({ this->Clearance, distance - 0.5 * pathLength,
       this->DistanceBefore - 0.5 * pathLength, limit });
     this->DistanceBefore = distance;

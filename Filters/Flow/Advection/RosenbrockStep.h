@@ -162,8 +162,8 @@ private:
     }
   }
 
-  /// Computes the LU factorization of 1 / gamma - h J with row pivoting. The diagonal stores
-  /// reciprocals.
+  /// Computes the LU factorization of 1 / gamma - h J with partial pivoting. The diagonal stores
+  /// reciprocals. Returns false if the matrix is singular.
   bool Factor()
   {
     for (int i = 0; i < 3; ++i)

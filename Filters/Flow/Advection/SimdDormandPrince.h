@@ -239,7 +239,7 @@ private:
     trial.Dense.GetPoint(trial.End, at);
     for (int i = 0; i < 3; ++i)
     {
-      // On the face, the parametric coordinate is set to its value in the neighbor.
+      // A step that ends on a face gets the parametric coordinate of the face in the next cell.
       const Mask isLower = trial.Face == SimdPack::Of(2.0 * i);
       const Mask isUpper = trial.Face == SimdPack::Of(2.0 * i + 1.0);
       at[i] = SimdPack::Select(
@@ -281,8 +281,8 @@ private:
         this->CellsLeft[lane] = from;
       }
     }
-    // A lane that did not enter the cell returns to its previous cell, so that Advection can take
-    // over.
+    // A lane that did not enter the next cell returns to its previous cell, so that Advection can
+    // take over.
     const unsigned int entered = lanes & SimdPack::GetBits(this->Walker.Enter());
     for (int lane = 0; lane < SimdPack::Number; ++lane)
     {

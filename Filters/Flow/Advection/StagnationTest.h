@@ -11,9 +11,9 @@ namespace interlume
 
 /**
  * @class   StagnationTest
- * @brief   detects streamlines that no longer make progress, for example near a node
+ * @brief   detects streamlines that no longer make progress, for example near an attracting node
  *
- * An explicit method does not converge to a node. It moves around the node within the error
+ * An explicit method does not converge to such a node. It moves around the node within the error
  * tolerance. A streamline stagnates if, in four consecutive windows of steps, its displacement is
  * at most the permitted error for the duration of the window and at most a twentieth of the path
  * length. The windows have different numbers of steps, so that no closed orbit returns to its start

@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   StepController
- * @brief   computes the next step time from the error of the last step
+ * @brief   computes the duration of the next step from the error of the last one
  *
  * This is a proportional-integral (PI) controller for the error per unit of time. Its constants are
  * from the programs of E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential
@@ -23,8 +23,8 @@ namespace interlume
 class StepController
 {
 public:
-  /// Returns the step factor after an accepted step, from 0.2 to 5. \a ratio is the error divided
-  /// by the largest permitted error (<= 1).
+  /// Returns the factor from 0.2 to 5 by which to change the step duration after an accepted step.
+  /// \a ratio is the error divided by the largest permitted error (<= 1).
   double Accept(double ratio, int order)
   {
     using Two = SimdPack<2>;
@@ -37,8 +37,8 @@ public:
     return factor;
   }
 
-  /// Returns the step factor after a rejected step, which is less than 1. Returns the smallest
-  /// factor if \a ratio is NaN or infinite.
+  /// Returns the factor by which to shorten a rejected step. Returns the smallest factor if \a
+  /// ratio is NaN or infinite.
   double Reject(double ratio, int order)
   {
     this->WasRejected = true;
@@ -46,8 +46,8 @@ public:
     return factor > Smallest ? std::min(factor, Safety) : Smallest;
   }
 
-  /// Returns the step factors after accepted steps with the error ratios \a ratio. \a previous is
-  /// the binary logarithm of the previous error ratio on input and of \a ratio on output.
+  /// Returns the factors after accepted steps with the error ratios \a ratio. \a previous is the
+  /// binary logarithm of the previous error ratio on input and of \a ratio on output.
   template <typename SimdPack>
   [[gnu::always_inline]] static SimdPack GetFactor(const SimdPack& ratio, int order,
     const typename SimdPack::Mask& wasRejected, SimdPack& previous)
@@ -67,9 +67,9 @@ public:
     return SimdPack::Select(wasRejected, SimdPack::Min(factor, one), factor);
   }
 
-  /// Returns the duration of the next step after a step of duration \a h with the given \a factor.
-  /// \a step is the duration that the error control allowed. If \a h was shortened to stay in the
-  /// cell, \a step remains valid.
+  /// Returns the duration of the next step: \a h times \a factor, where \a h is the duration of the
+  /// last step. If \a ratio is small because \a h was shortened to stay in the cell, returns at
+  /// least \a step, the duration that the error control allowed.
   template <typename Number>
   [[gnu::always_inline]] static Number GetNext(
     const Number& step, const Number& h, const Number& factor, const Number& ratio)
@@ -80,7 +80,7 @@ public:
   }
 
   static constexpr double Largest = 5.0;
-  /// Error ratio up to which the step factor is Largest.
+  /// Error ratio up to which the factor is Largest.
   static constexpr double SmallRatio = 1e-5;
   /// Lower bound of the stored binary logarithm of an error ratio: log2(1e-4).
   static constexpr double MinimumPrevious = -13.287712379549449;

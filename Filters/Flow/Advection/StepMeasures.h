@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   StepMeasures
- * @brief   computes the error and the reach of a step in world units
+ * @brief   computes the error of a step, and a bound on its length, in world units
  *
  * For SIMD packs a length is valid only if its square neither overflows nor underflows. Masks named
  * isOrdinary exclude all other lanes. For double, lengths are always valid and the masks remain
@@ -36,7 +36,7 @@ public:
   /**
    * Returns the error of a step without the part that the field itself damps.
    *
-   * In a direction in which errors decay as exp(-t / d), the errors e of all steps of time h
+   * In a direction in which errors decay as exp(-t / d), the errors e of all steps of duration h
    * accumulate to e / (1 - exp(-h / d)) instead of e t / h. With 1 - exp(-z) ~ z / (1 + z), and
    * over a finite time t, the sum is (h + d) / (t + d) times e t / h. \a time is t: the time to
    * cross the cell, or the time since the start if shorter.

@@ -51,7 +51,7 @@ public:
     this->Others += steps;
   }
 
-  /// Steps with values up to this threshold do not count as stiff.
+  /// Steps with a stiffness up to this value do not count as stiff.
   static constexpr double MinimumStiff = 3.25;
 
 private:

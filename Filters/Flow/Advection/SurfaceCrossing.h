@@ -21,9 +21,9 @@ namespace interlume
  * @class   SurfaceCrossing
  * @brief   finds the first termination surface that a streamline reaches, step by step
  *
- * The distance to a surface never changes by more than the path length between two points.
- * Therefore each surface stores a clearance: the path length that the streamline can cover without
- * reaching it. The distance is evaluated again only when the clearance is used up.
+ * Between two points of a streamline, the distance to a surface changes by at most the path length.
+ * Therefore a clearance is stored for each surface: the path length that the streamline can cover
+ * without reaching it. The distance is evaluated again only when the clearance is used up.
  *
  * A step that may reach a surface is searched in intervals. Each interval extends a little past the
  * zero that the slope of the distance predicts. A sign change reveals a crossing. If the streamline
@@ -84,7 +84,8 @@ public:
     for (std::size_t i = 0; i < this->States.size(); ++i)
     {
       const double theta = this->FindOne(getPosition, i, std::min(end, first), reach);
-      // Crossings within rounding error coincide. The surface added first takes precedence.
+      // If crossings differ only by rounding error, the surface that was added first takes
+      // precedence.
       if (theta <= 1.0 && (first > 1.0 || (first - theta) * reach > this->LastTolerance))
       {
         first = theta;
@@ -175,7 +176,7 @@ public:
     found.Shape->EvaluateParameters(x, result.Parameters);
   }
 
-  /// Returns the minimum distance to any surface, or infinity if there are no surfaces.
+  /// Returns the distance from \a x to the nearest surface, or infinity if there are no surfaces.
   double GetMinimumDistance(const double x[3])
   {
     double minimum = std::numeric_limits<double>::infinity();
@@ -248,7 +249,7 @@ private:
     double Distance = 0.0;
     /// Path length that the streamline can cover without reaching the surface.
     double Clearance = 0.0;
-    /// Side of the surface on which the streamline is, as the sign of the distance: -1 or 1. 0 if
+    /// Side of the surface that the streamline is on, as the sign of the distance: -1 or 1, or 0 if
     /// the streamline started on the surface and is still on it.
     int Side = 0;
     /// If true, Distance is the distance at the start of the step.
@@ -398,8 +399,9 @@ private:
   }
 
   /**
-   * Returns true if the distance changes sign between \a from and \a to. The distance decreases at
-   * \a from and is \a last at \a to. If so, sets NegativePosition to a theta past the sign change.
+   * Returns true if the distance changes sign between \a from and \a to, although it has the same
+   * sign at both, and sets NegativePosition to a theta past the sign change. The absolute distance
+   * decreases at \a from. The distance at \a to is \a last.
    */
   template <typename Distance>
   bool FindNegative(Distance& distance, int side, double from, double to, double last, double reach)
@@ -425,7 +427,7 @@ private:
         this->NegativePosition = atLeft <= atRight ? left : right;
         return true;
       }
-      // Every point of the interval is within half its length of one of the two ends.
+      // The distance changes by at most reach * (high - low) within the interval.
       if (minimum > reach * (high - low) || high - low <= 1e-15 * high)
       {
         return false;

@@ -12,10 +12,11 @@ namespace interlume
 
 /**
  * @class   BoxExit
- * @brief   finds the exit face of a step from the cell [0,1]^3, for one streamline or several
+ * @brief   finds the face through which an integration step leaves the cell [0,1]^3
  *
- * The masks mark unambiguous results: the step crosses each face at most once and does not start on
- * a face to be crossed. CellExit handles all other steps. Distances are in cell widths.
+ * \a Number is double, or a SIMD pack with one streamline per lane. The masks mark unambiguous
+ * results: the step crosses each face at most once and does not start on a face that it must cross.
+ * CellExit handles all other steps. Distances are in cell widths.
  */
 template <typename Number>
 class BoxExit
@@ -24,11 +25,11 @@ public:
   using Math = NumberMath<Number>;
   using Mask = typename Math::Mask;
 
-  /// Distance by which a streamline that runs along a face may be outside the face.
+  /// Maximum distance outside a face for streamlines that run along the face.
   static constexpr double Tolerance = 1e-12;
 
-  /// Prepares the search from \a p along \a rate. Returns a mask of the points that are not on a
-  /// face to be crossed.
+  /// Prepares the search from \a p along \a rate. Returns a mask of the points at which no face
+  /// must be crossed before the step.
   INTERLUME_RETURNS_VECTOR Mask Approach(const Number p[3], const Number rate[3])
   {
     const Number zero = Math::Of(0.0);
@@ -68,9 +69,9 @@ public:
   }
 
   /**
-   * Finds \a first, the theta at which a step leaves the cell, and the exit face. If the step
-   * remains inside, these are BernsteinRoot::None and -1. \a points are the control points. Returns
-   * a mask of the unambiguous results.
+   * Computes \a first, the fraction of the step (theta) at which it leaves the cell, and the exit
+   * face. If the step remains inside, they are BernsteinRoot::None and -1. \a points are the
+   * control points of the step. Returns a mask of the unambiguous results.
    */
   INTERLUME_RETURNS_VECTOR Mask Find(
     const Number (*points)[3], int degree, Number& first, Number& exitFace) const
@@ -83,7 +84,8 @@ public:
     {
       return isClear;
     }
-    // Coefficients of the distance from the possible exit face of each axis, plus the slack.
+    // For each axis, Bernstein coefficients of the distance to the possible exit face, plus the
+    // slack.
     Number b[3][Size];
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -114,7 +116,7 @@ public:
       exitFace = Math::Select(isFirst, face, exitFace);
       if (round < 2 && Math::IsAny(sides.IsAnyLeft()))
       {
-        // A face that the streamline reaches clearly after \a root is not the exit face.
+        // Faces that are reached well after \a root cannot be the exit face.
         const Number end = root + Math::Of(Margin);
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -145,9 +147,9 @@ public:
     return Math::Select(slope < -1e4 * slack, Math::Max(Math::Of(0.0), root + slack / slope), root);
   }
 
-  /// Time after which a straight step ends slightly outside the cell.
+  /// Time step after which a straight streamline is slightly outside the cell.
   Number TimeLimit;
-  /// Likely exit face of a straight step.
+  /// Likely exit face of a straight streamline.
   Number FaceAhead;
   /// Largest rate of change of a distance to a face, in cell widths per unit of time.
   Number Fastest;
@@ -180,8 +182,9 @@ private:
     }
   };
 
-  /// Finds the faces with control points outside. Returns a mask of the steps that do not end far
-  /// outside, and whose control points are outside at most one face of each axis.
+  /// Finds the faces that have at least one control point on their outer side. Returns a mask of
+  /// the steps that do not end far outside the cell, and whose control points are outside at most
+  /// one face per axis.
   INTERLUME_RETURNS_VECTOR Mask FindSides(const Number (*points)[3], int degree, Sides& sides) const
   {
     Number end = Math::Of(std::numeric_limits<double>::infinity());
@@ -205,8 +208,8 @@ private:
   }
 
   /// Removes from \a sides, per SIMD lane, the face that the chord of the step reaches first, which
-  /// is usually the exit face. \a own, \a slack and \a face receive its coefficients, slack and
-  /// number.
+  /// is usually the exit face. \a own, \a slack and \a face receive the coefficients, slack and
+  /// index of this face.
   void RemoveNext(const Number (*b)[Size], int degree, Sides& sides, Number* own, Number& slack,
     Number& face) const
   {
@@ -236,8 +239,8 @@ private:
     }
   }
 
-  /// Returns a mask that is true if the chord from the first to the last coefficient of \a one
-  /// becomes negative before the chord of \a other.
+  /// Returns a mask of the lanes in which the chord from the first to the last coefficient of
+  /// \a one becomes negative before the chord of \a other.
   INTERLUME_RETURNS_VECTOR static Mask IsBefore(const Number* one, const Number* other, int degree)
   {
     return one[0] * (other[0] - other[degree]) < other[0] * (one[0] - one[degree]);
@@ -253,8 +256,8 @@ private:
     }
   }
 
-  /// Returns a mask that is true if the control points of the polynomial on [0, \a end] are all
-  /// positive.
+  /// Returns a mask of the lanes in which all Bernstein coefficients of the polynomial on [0,
+  /// \a end] are positive.
   INTERLUME_RETURNS_VECTOR static Mask IsInside(const Number* b, int degree, const Number& end)
   {
     const Number zero = Math::Of(0.0);
@@ -272,9 +275,9 @@ private:
     return isInside;
   }
 
-  /// Finds the root of a distance that starts at a value >= 0 and changes sign at most once. \a
-  /// theta is the root after MoveBack. If there is no sign change, \a root is 1. Returns a mask of
-  /// the lanes that satisfy the assumptions.
+  /// Finds the root of a distance polynomial with a first coefficient >= 0 and at most one sign
+  /// change. \a theta is the root after MoveBack. Without a sign change, \a root is 1 and \a theta
+  /// is BernsteinRoot::None. Returns a mask of the lanes that satisfy the assumptions.
   INTERLUME_RETURNS_VECTOR static Mask FindCrossing(
     const Number* b, int degree, const Number& slack, const Mask& mask, Number& root, Number& theta)
   {

@@ -14,11 +14,11 @@ namespace interlume
 
 /**
  * @class   CellExit
- * @brief   finds the exit face of a step from the cell of a walker
+ * @brief   finds the face through which an integration step leaves the cell of a walker
  *
- * For boxes, BoxExit handles the unambiguous cases. A streamline may be up to Tolerance cell widths
- * outside a face, where the field continues smoothly. Therefore a streamline that runs along a face
- * remains in one cell.
+ * For box cells, BoxExit handles the unambiguous cases. A streamline may be up to Tolerance cell
+ * widths outside a face, where the field continues smoothly. Therefore a streamline that runs along
+ * a face remains in one cell.
  */
 template <typename Walker>
 class CellExit : private BoxExit<double>
@@ -71,20 +71,21 @@ public:
     return isHeld ? -1 : this->GetFaceToCross(rates, closed);
   }
 
-  /// Returns the time after which a straight step ends slightly outside the cell.
+  /// Returns the time step after which a straight streamline is slightly outside the cell.
   double GetTimeLimit() const { return this->TimeLimit; }
 
-  /// Returns the likely exit face of a straight step, or -1.
+  /// Returns the likely exit face of a straight streamline, or -1.
   int GetFaceAhead() const { return static_cast<int>(this->FaceAhead); }
 
   /// Returns the largest rate of change of a distance to a face, in cell widths per unit of time.
   double GetFastest() const { return this->Fastest; }
 
   /**
-   * Returns the theta at which a step leaves the cell passed to Approach, and finds the exit face.
-   * If the step remains inside, these are BernsteinRoot::None and -1. Sets \a isFar to true if the
-   * end is so far outside that the field may not be smooth there. \a points are the control points
-   * of the step. Control points may be outside a face even if the curve is not.
+   * Returns the fraction of the step (theta) at which it leaves the cell passed to Approach, and
+   * computes the exit face. If the step remains inside, they are BernsteinRoot::None and -1. Sets
+   * \a isFar to true if the step ends so far outside that the field may not be smooth there.
+   * \a points are the control points of the step. Control points may be outside a face even if the
+   * curve is not.
    */
   double Find(
     const Walker& field, const double (*points)[3], int degree, int& exitFace, bool& isFar) const
@@ -166,8 +167,8 @@ private:
     return first;
   }
 
-  /// Finds the theta at which the distance falls below -slack, moves back to the zero of the
-  /// distance, and returns its theta.
+  /// Returns the theta at which the distance first falls below -slack, moved back to the zero of
+  /// the distance by MoveBack, or BernsteinRoot::None.
   static double FindCrossing(double* b, int degree, double slack)
   {
     for (int i = 0; i <= degree; ++i)

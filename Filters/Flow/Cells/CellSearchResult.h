@@ -14,10 +14,11 @@ namespace interlume
  * @class   CellSearchResult
  * @brief   cell that a search found at a position, with criteria for comparison with other results
  *
- * IsBefore defines the preferred result of several searches. A cell found by Newton's method from
- * one starting point precedes cells found from several. Further criteria are the distance by which
- * the position is outside the cell, the order of CellTree, and the cell id. This total order makes
- * the result independent of the partition of the cells among processes.
+ * IsBefore returns true if this result is preferable to another result. Cells found by Newton's
+ * method from one starting point are preferable to cells found from several starting points.
+ * Further criteria are the distance by which the position is outside the cell, the order of
+ * CellTree, and the cell id. This total order makes the result independent of the partition of the
+ * cells among processes.
  */
 struct CellSearchResult
 {

@@ -18,9 +18,9 @@ namespace interlume
  * - TETRAHEDRON: corners (0,0,0), (1,0,0), (0,1,0), (0,0,1). Linear.
  * - WEDGE: corners (0,0,0), (1,0,0), (0,1,0), and the same at z = 1.
  * - PYRAMID: base (0,0,0), (1,0,0), (1,1,0), (0,1,0), apex (0,0,1); 0 <= x, y <= 1 - z. The term xy
- *   is replaced by x y / (1 - z). VTK's coordinates are r = x / (1 - z), s = y / (1 - z), t = z,
- *   for which dx/dp vanishes at the apex. In (x, y, z) it remains bounded and has a limit along
- *   each line to the apex. At the apex and past it, r and s are clamped to [-1, 2].
+ *   is replaced by x y / (1 - z). VTK's parametric coordinates are r = x / (1 - z), s = y / (1 - z)
+ *   and t = z; dx/dr and dx/ds vanish at the apex. In (x, y, z), dx/dp remains bounded and has a
+ *   limit along each line to the apex. At the apex and past it, r and s are clamped to [-1, 2].
  */
 struct CellShape
 {
@@ -33,9 +33,9 @@ struct CellShape
   };
 
   /**
-   * Corner 0 has the face coordinates (u,v) = (0,0), corner 1 has (1,0), and the last corner has
-   * (0,1). In a triangle, 1-u-v, u and v are the weights of the corners. In a quadrilateral, corner
-   * 2 has (1,1).
+   * Face with coordinates (u,v). Corner 0 is at (0,0), corner 1 at (1,0), and the last corner at
+   * (0,1). In a triangle, the weights of the corners are 1-u-v, u and v. In a quadrilateral, corner
+   * 2 is at (1,1).
    */
   struct Face
   {
@@ -79,7 +79,7 @@ struct CellShape
 
   static const CellShape& Of(int kind);
 
-  /// Converts values at the corners to the coefficients of the polynomial.
+  /// Converts values at the corners to the coefficients of the interpolating polynomial.
   static void Fit(int kind, Trilinear& values)
   {
     auto& c = values.C;
@@ -89,8 +89,8 @@ struct CellShape
         MoveRow(values, 3, 4);
         break;
       case WEDGE:
-        // The base is fitted as the base of a hexahedron whose corner (1,1) follows from the other
-        // three.
+        // The wedge is fitted as a hexahedron whose values at x = y = 1 are extrapolated linearly,
+        // so the coefficients of xy and xyz are 0.
         MoveRow(values, 5, 6);
         MoveRow(values, 4, 5);
         MoveRow(values, 3, 4);
@@ -159,7 +159,8 @@ private:
   }
 
   // Computes the affine function that is 0 at \a origin, increases by 1 along the vector \a along
-  // and is constant along \a across. For each face, the function depends on a single coordinate.
+  // and is constant along \a across. For all faces of all shapes, this function depends on a single
+  // coordinate of p.
   static constexpr void FindDual(
     const double* origin, const double* along, const double* across, double* dual)
   {

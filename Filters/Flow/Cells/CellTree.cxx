@@ -14,7 +14,7 @@ namespace interlume
 namespace
 {
 
-// Inserts two zeros after each bit of a number below 2^21.
+// Inserts two zero bits after each bit of a number below 2^21.
 std::uint64_t Spread(std::uint64_t bits)
 {
   bits = (bits | bits << 32) & 0x1f00000000ffffULL;
@@ -84,8 +84,8 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite
 {
   this->Cells.clear();
   this->Levels.clear();
-  // Each task combines the boxes of one block and writes a separate result. Therefore no thread
-  // waits for another.
+  // Each task combines the boxes of a block of cells into a separate result, so that threads never
+  // wait for each other.
   constexpr vtkIdType part = 4096;
   const vtkIdType parts = (numberOfCells + part - 1) / part;
   std::vector<Box> boxes(numberOfCells);

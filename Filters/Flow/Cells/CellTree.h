@@ -18,22 +18,24 @@ namespace interlume
  * @brief   finds the cells whose bounding boxes contain a point
  *
  * The tree is a bounding volume hierarchy over the cells, which are sorted by the Morton codes of
- * their box centers. Leaves have up to eight cells, inner nodes up to four children. The tree is
- * built in parallel, does not depend on the number of threads, and can be read by any number of
- * threads. Cells with equal codes are sorted by id.
+ * their box centers. Cells with equal codes are sorted by id. Leaves have up to eight cells, inner
+ * nodes up to four children. The tree is built in parallel, does not depend on the number of
+ * threads, and can be read by any number of threads.
  */
 class CellTree
 {
 public:
-  /// Computes the bounds (xmin, xmax, ymin, ...) of a cell. Returns false to exclude the cell.
+  /// Callback that computes the bounds (xmin, xmax, ymin, ...) of a cell. It returns false to
+  /// exclude the cell.
   using CellBox = std::function<bool(vtkIdType cell, double box[6])>;
 
-  /// Combines the bounds with the bounds of other trees that must use the same order of cells.
+  /// Callback that extends the bounds of the cells to the bounds in all processes, so that Morton
+  /// codes are comparable between processes.
   using Unite = std::function<void(double bounds[6])>;
 
   void Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite& unite = {});
 
-  /// Returns the Morton code of a cell's box, by which the tree sorts its cells.
+  /// Returns the Morton code of the center of a cell's box, by which the tree sorts its cells.
   std::uint64_t GetOrder(const double box[6]) const;
   /// Returns slightly enlarged bounds of the cells in this tree, or null if there are none.
   const double* GetBounds() const
@@ -70,10 +72,10 @@ private:
     }
   };
 
-  // Bounds of all cells, including cells of other trees that use the same order.
+  // Bounds of all cells, including the cells of the trees in other processes.
   Box All;
   std::vector<vtkIdType> Cells;
-  // Boxes of each level, from the leaves to the root.
+  // Boxes of the nodes of each level, from the leaves to the root.
   std::vector<std::vector<Box>> Levels;
 };
 

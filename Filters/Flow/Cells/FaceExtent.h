@@ -42,8 +42,9 @@ struct FaceExtent
       longest = std::max(
         longest, Vectors::SafeLength(Vectors::Difference(corners[i], corners[(i + 1) % number])));
     }
-    // Cross product of the two diagonals of a quadrilateral or two edges of a triangle. They
-    // are scaled to a length of about 1, so that the product neither overflows nor underflows.
+    // Cross product of the diagonals of a quadrilateral, or of two edges of a triangle. These
+    // vectors are scaled to a length of about 1, so that the product neither overflows nor
+    // underflows.
     const double scale = MultilinearCell::GetScale(longest);
     const glm::dvec3 product = glm::cross(scale * Vectors::Difference(corners[2], corners[0]),
       scale * Vectors::Difference(corners[number - 1], corners[1]));

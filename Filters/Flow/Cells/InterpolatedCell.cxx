@@ -30,8 +30,8 @@ void InterpolatedCell::EvaluateSecondDerivatives(
   const Trilinear& polynomial, const double p[3], double second[3][3][3]) const
 {
   double mixed[3][4];
-  // Second derivatives of x y / (1 - z), the only nonlinear term of a pyramid, without its
-  // coefficient.
+  // Second derivatives of x y / (1 - z), the only nonlinear term of the interpolant of a pyramid,
+  // without its coefficient.
   double factors[3][3] = {};
   const bool isPyramid = this->Shape == CellShape::PYRAMID;
   if (isPyramid)
@@ -93,8 +93,8 @@ void InterpolatedCell::GetJacobian(const double p[3], double jacobian[9]) const
   }
 }
 
-// A column of dx/dp is bilinear in the other coordinates (for a pyramid, in VTK's coordinates).
-// Therefore its length is largest at a corner.
+// Each column dx/dp_j is bilinear in the two coordinates other than p_j (in VTK's parametric
+// coordinates for a pyramid). Therefore its length is largest at a corner.
 double InterpolatedCell::GetLongestWorldVector(const double d[3]) const
 {
   const auto& c = this->Points.C;
@@ -110,7 +110,7 @@ double InterpolatedCell::GetLongestWorldVector(const double d[3]) const
     {
       const double u = corner & 1;
       const double v = corner >> 1;
-      // The 1-norm bounds the length without square roots.
+      // The 1-norm is an upper bound of the length and needs no square root.
       double length = 0.0;
       for (int i = 0; i < 3; ++i)
       {
@@ -155,8 +155,8 @@ bool InterpolatedCell::FindCellCoordinates(const double x[3], bool fromSeveral, 
   {
     return this->FindCellCoordinatesFrom(shape.Center, x, p);
   }
-  // Starts Newton's method at a point between each corner and the center. Returns the solution
-  // deepest inside the cell.
+  // Starts Newton's method once per corner, from a point between the corner and the center. Returns
+  // the solution that is deepest inside the cell.
   bool hasCoordinates = false;
   for (int corner = 0; corner < shape.NumberOfCorners; ++corner)
   {

@@ -74,14 +74,14 @@ public:
     InverseJacobian::Combine(columns, d, w);
   }
 
-  /// IsAffine returns true if dx/dp is constant in the cell. GetLongestWorldVector returns a bound
-  /// on the world length of any change of p between -d and d, anywhere in the cell.
+  /// IsAffine returns true if dx/dp is constant in the cell. GetLongestWorldVector returns an upper
+  /// bound of the length in world space of changes of p between -d and d, anywhere in the cell.
   bool IsAffine() const { return this->Form != CURVED; }
   double GetLongestWorldVector(const double d[3]) const;
 
   void GetVelocityGradient(const double p[3], double gradient[9]) const;
 
-  /// Evaluates at p a polynomial that Fit computed for the shape of the cell.
+  /// Evaluates a polynomial at p. CellShape::Fit must have computed it for this cell's shape.
   void Evaluate(const Trilinear& polynomial, const double p[3], double value[3]) const
   {
     if (this->Shape == CellShape::PYRAMID)
@@ -107,7 +107,7 @@ public:
    */
   bool FindCellCoordinates(const double x[3], bool fromSeveral, double p[3]) const;
 
-  /// Returns the smallest of the distances to the faces.
+  /// Returns the smallest distance to a face, in parametric coordinates. It is negative outside.
   double GetDistance(const double p[3]) const;
   /// Projects a point that is slightly outside some faces onto these faces.
   void Clamp(double p[3]) const;
@@ -120,7 +120,7 @@ private:
     CURVED
   };
 
-  // Returns 1 - z and computes VTK's coordinates r and s of a pyramid.
+  // Returns 1 - z and computes VTK's parametric coordinates r and s of a pyramid.
   static double GetPyramidRatios(const double p[3], double& r, double& s)
   {
     const double w = 1.0 - p[2];

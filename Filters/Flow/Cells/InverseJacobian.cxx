@@ -9,7 +9,8 @@
 namespace interlume
 {
 
-// Scales each column to a length of about 1. The scale is a power of 2, so the scaling is exact.
+// Scales each column to a length of about 1 before the inversion. The scales are powers of 2, so
+// scaling causes no rounding errors.
 void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][3])
 {
   double scaled[3][4];
@@ -37,8 +38,8 @@ void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][
   }
 }
 
-// Gram-Schmidt orthogonalization of unit columns with column pivoting, then back substitution with
-// R of the QR factorization.
+// Computes the QR factorization of the normalized columns by Gram-Schmidt orthogonalization with
+// column pivoting. Then solves for the inverse by back substitution.
 void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[3][3])
 {
   // A column is independent if at least this fraction of its length remains after

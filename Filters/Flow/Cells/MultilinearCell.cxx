@@ -19,7 +19,7 @@ namespace interlume
 
 namespace
 {
-// Cube corners of the cell's points, in VTK's point order. Voxels need no table: their points are
+// Cube corner of each point of a cell, in VTK's point order. Voxels need no table: their points are
 // in the order of the cube corners.
 constexpr int HexahedronCorners[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
 constexpr int WedgeCorners[6] = { 0, 1, 2, 4, 5, 6 };
@@ -330,8 +330,8 @@ double MultilinearCell::GetVolume(double scale) const
     }
     return vtkMath::Determinant3x3(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8]);
   };
-  // The quadrature is exact: the determinant has degree 2 in each parameter. On wedges it is linear
-  // in the two parameters of the triangle, and on tetrahedra it is constant.
+  // The quadrature is exact: the determinant has degree 2 in each parameter. In wedges, it is
+  // linear in the two parameters of the triangle. In tetrahedra, it is constant.
   double volume = 0.0;
   if (this->Shape == TETRAHEDRON)
   {

@@ -37,11 +37,11 @@ public:
 
   /// Returns the shape of a VTK cell type. Unsupported types have the shape NONE.
   static Shapes GetShape(int cellType);
-  /// Returns true if cells of the type have no volume, such as triangles, or if the type is
-  /// invalid.
+  /// Returns true if cells of the type have no volume, such as triangles or empty cells.
   static bool IsFlat(int cellType);
 
-  /// Computes the value at p, or its derivatives: derivatives[3 * i + j] is d value[i] / d p[j].
+  /// Interpolate computes the value at p. Derive computes its derivatives: derivatives[3 * i + j]
+  /// is d value[i] / d p[j].
   static void Interpolate(const Values& values, const double p[3], double value[3]);
   static void Derive(const Values& values, const double p[3], double derivatives[9]);
 
@@ -51,10 +51,10 @@ public:
   /// Returns the number of points of a cell. \a corners receives the cube corner of each point, in
   /// VTK's point order.
   static int GetCorners(Shapes shape, const int*& corners);
-  /// Returns the number of edges of the cell. \a edges receives them as pairs of cube corners.
+  /// Returns the number of edges of a cell. \a edges receives the edges as pairs of cube corners.
   static int GetEdges(Shapes shape, const int (*&edges)[2]);
 
-  /// Loads a cell. \a ids is scratch memory.
+  /// Loads the points and vectors of a cell. \a ids is scratch memory.
   void Load(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, vtkIdList* ids);
 
   Shapes GetShape() const { return this->Shape; }
@@ -70,7 +70,7 @@ public:
   /// Returns the largest speed at the points of the cell.
   double GetLargestSpeed() const;
 
-  /// Computes the interpolation weights of the points at p.
+  /// Computes the interpolation weights of the cell's points at p.
   void GetWeights(const double p[3], double weights[8]) const;
 
   /// Computes gradient[3 * i + j] = dv[i]/dx[j]. Returns false, with a zero gradient, if the cell
@@ -78,12 +78,12 @@ public:
   bool GetGradient(const double p[3], double gradient[9]) const;
 
   /**
-   * Returns the volume of the cell scaled by \a scale. The scale prevents overflow for very large
-   * cells and underflow for very small cells.
+   * Returns the volume of the cell after multiplying its coordinates by \a scale. Scaling prevents
+   * overflow for very large cells and underflow for very small cells.
    */
   double GetVolume(double scale = 1.0) const;
 
-  /// Returns the cube root of the volume, without overflow or underflow.
+  /// Returns the cube root of the volume, avoiding overflow and underflow.
   double GetLength() const;
 
   /// Returns the length of the diagonal of the cell's bounds.

@@ -9,15 +9,15 @@ namespace interlume
  * @class   Trilinear
  * @brief   coefficients of three trilinear polynomials of p = (x, y, z)
  *
- * Row m of C is the coefficient of the product of the coordinates whose bits are set in m: 1, x, y,
- * xy, z, xz, yz, xyz. Rows have four elements so that compilers can vectorize. The last column is
- * unused.
+ * Row m of C contains the coefficients of one product of coordinates: 1, x, y, xy, z, xz, yz, xyz
+ * for m = 0 to 7. Column i belongs to polynomial i. Rows have four elements so that compilers can
+ * vectorize; the last column is unused.
  */
 struct Trilinear
 {
   alignas(32) double C[8][4];
 
-  /// Converts values at the corners of [0,1]^3, x fastest, to coefficients.
+  /// Converts values at the corners of [0,1]^3, ordered with x varying fastest, to coefficients.
   void Fit()
   {
     for (int bit = 1; bit < 8; bit *= 2)
@@ -90,7 +90,7 @@ struct Trilinear
     }
   }
 
-  /// Computes the nonzero second derivatives: xy, xz and yz.
+  /// Computes the mixed second derivatives for xy, xz and yz. All other second derivatives are 0.
   void EvaluateMixedDerivatives(const double p[3], double d[3][4]) const
   {
     const auto& c = this->C;

@@ -12,10 +12,10 @@ class RankExchange;
 
 /**
  * @class   CheckpointedStreamlines
- * @brief   reads finished streamlines from a checkpoint and computes the missing ones
+ * @brief   takes finished streamlines from a checkpoint and computes the missing ones
  *
  * Streamlines are computed in batches of about one second. Between batches, no streamline is in
- * transit between processes, and the checkpoint is written if it is due. After an abort, it is
+ * transit between processes, and the checkpoint is written if a write is due. After an abort, it is
  * written immediately.
  */
 class CheckpointedStreamlines : public Streamlines
@@ -36,7 +36,7 @@ public:
   const FlowField& GetField() const override { return this->Inner.GetField(); }
 
 private:
-  /// Computes a batch of streamlines, starting with number \a done, and increases \a done by the
+  /// Computes a batch of streamlines, starting at index \a done, and increases \a done by the
   /// number of leading streamlines that are finished. Returns false if the execution was aborted.
   bool FollowBatch(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end, vtkIdType& done);
@@ -44,7 +44,6 @@ private:
   Streamlines& Inner;
   FlowCheckpoint& Checkpoint;
   RankExchange* Exchange;
-  /// Number of streamlines per batch.
   vtkIdType BatchSize = 1024;
 };
 

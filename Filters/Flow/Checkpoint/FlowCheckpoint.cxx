@@ -20,7 +20,7 @@ namespace interlume
 
 namespace
 {
-// Name of the first field array of the file. The array marks an incomplete set of streamlines.
+// Name of the first field data array, which identifies the file as a checkpoint.
 constexpr const char* MarkArray = "PartialImplicitFlow";
 
 double GetSeconds(std::chrono::steady_clock::duration duration)
@@ -28,7 +28,7 @@ double GetSeconds(std::chrono::steady_clock::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
-/// Returns true if the file starts like a checkpoint. The rest of the file may be damaged.
+/// Returns true if the start of the file is that of a checkpoint. The rest may be damaged.
 bool IsCheckpoint(const std::string& fileName)
 {
   std::ifstream file(AtomicFiles::GetPath(fileName), std::ios::in | std::ios::binary);

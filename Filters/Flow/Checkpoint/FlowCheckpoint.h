@@ -20,10 +20,10 @@ class RankExchange;
  * @class   FlowCheckpoint
  * @brief   checkpoint file with the finished streamlines of an execution of vtkImplicitFlowField
  *
- * The file is a vtkTable in VTK's XML format. StreamlineRecord defines its columns. Its field
- * data contain the FlowFingerprint, a marker array (PartialImplicitFlow) and digests. A new file is
- * written under a temporary name and then renamed. Therefore an interrupted write never damages the
- * previous file.
+ * The file is a vtkTable in VTK's XML format. StreamlineRecord defines the columns of the table.
+ * The field data contain the FlowFingerprint, a marker array (PartialImplicitFlow) and digests. A
+ * new file is written under a temporary name and then renamed. Therefore an interrupted write never
+ * damages the previous file.
  */
 class FlowCheckpoint
 {
@@ -35,11 +35,11 @@ public:
   FlowCheckpoint(const std::string& fileName, double interval, FlowFingerprint&& fingerprint,
     int means, Warn&& warn);
 
-  /// Returns the name of the file for one of \a pieces pieces.
+  /// Returns the name of the checkpoint file of a piece. \a pieces is the number of pieces.
   static std::string GetPieceName(const std::string& fileName, int piece, int pieces);
 
-  /// Reads the file if it exists. If processes hold partitions of the field, pass their \a
-  /// exchange; the call is then collective. If one process rejects its file, all processes do.
+  /// Reads the file if it exists. If the field is distributed, \a exchange connects the processes,
+  /// and all of them must call this function. If one process rejects its file, all processes do.
   void Open(RankExchange* exchange);
 
   StreamlineRecord& GetRecord() { return this->Record; }
@@ -51,11 +51,12 @@ public:
   vtkIdType GetNumberOfFiles() const { return this->Files; }
   ///@}
 
-  /// Warns that, from the current group on, the recorded results belong to other streamlines.
+  /// Warns that the recorded results of the current group belong to other streamlines, so that they
+  /// and all later results are not used.
   void WarnOfMismatch();
 
-  /// Returns true if the interval has elapsed. The interval is at least ten times the duration of
-  /// the last write.
+  /// Returns true if the interval since the last write has elapsed. A positive interval is extended
+  /// to at least ten times the duration of the last write.
   bool IsDue() const;
   /// Writes the file if there are new results.
   void Write();
@@ -70,7 +71,6 @@ private:
 
   std::string FileName;
   double Interval;
-  /// Fingerprint of this execution.
   FlowFingerprint CurrentFingerprint;
   StreamlineRecord Record;
   Warn WarnUser;

@@ -34,8 +34,8 @@ std::string GetGridDigest(vtkDataSet* grid)
   return digest.Take();
 }
 
-/// Returns the settings that a surface prints in PrintSelf. Excludes the output of vtkObject and
-/// pointers, which differ between processes.
+/// Returns the settings that PrintSelf prints for a surface. The output of vtkObject and pointers
+/// are excluded because they differ between processes.
 std::string GetSettings(vtkTerminationSurface* surface)
 {
   std::ostringstream ofObject;

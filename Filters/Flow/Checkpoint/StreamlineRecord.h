@@ -85,7 +85,7 @@ private:
     std::string Digest;
   };
   std::vector<Group> Groups;
-  /// Index of the current group, and its first row.
+  /// Index and first row of the current group.
   std::size_t Current = 0;
   vtkIdType First = 0;
   bool HasBegun = false;

@@ -18,8 +18,8 @@ namespace interlume
  * @brief   traces a streamline by arc length, with fixed steps of the classical Runge-Kutta method
  *
  * Solves dx/ds = +-v / |v| in world space. Tracing stops if a step would leave the field, if the
- * velocity is not finite or not faster than MinimumSpeed, or if the direction changes by more than
- * 90 degrees in a step, for example at a sink.
+ * velocity is not finite, if the speed is at most MinimumSpeed, or if the direction changes by more
+ * than 90 degrees in a step, for example at a sink.
  */
 template <typename Walker>
 class ArcWalk
@@ -38,17 +38,17 @@ public:
     return this->Field.Locate(x, p);
   }
 
-  /// Starts a line at \a x.
+  /// Starts a streamline at \a x.
   void Begin(const double x[3])
   {
     std::copy_n(x, 3, this->Position);
     this->HasDirection = this->GetDirection(x, this->Direction);
   }
-  /// Returns whether the line can be continued.
+  /// Returns whether the start is inside the field and its velocity is finite and large enough.
   bool CanAdvance() const { return this->HasDirection; }
 
-  /// Advances by \a step, upstream if \a step is negative. At the end of the line, returns false
-  /// without moving.
+  /// Advances by the arc length \a step, upstream if \a step is negative. At the end of the
+  /// streamline, returns false without moving.
   bool Advance(double step)
   {
     if (!this->HasDirection)

@@ -56,7 +56,7 @@ double GetCovariance(const Correlation& correlation, double d)
 {
   constexpr int rings = 16;
   double sum = 0.0;
-  // Averages over the directions of an octant, with the midpoint rule in height and angle.
+  // Averages over the directions in an octant, with the midpoint rule in z and in the azimuth.
   for (int i = 0; i < rings; ++i)
   {
     const double z = (i + 0.5) / rings;

@@ -13,9 +13,9 @@ namespace interlume
  * @brief   smooth 3D value noise in [0,1]
  *
  * Independent uniform values at the points of an integer lattice are interpolated along each axis
- * with the weight 6 t^5 - 15 t^4 + 10 t^3. A lattice value is a hash of the three indices and the
- * seed. The finalizer of SplitMix64 mixes the hash after the seed and after each index is
- * added (Steele, Lea and Flood, OOPSLA 2014). The noise is identical on all machines.
+ * with the weight 6 t^5 - 15 t^4 + 10 t^3. A lattice value is a hash of the seed and the three
+ * indices. They are added one after another, and each sum is mixed by the finalizer of SplitMix64
+ * (Steele, Lea and Flood, OOPSLA 2014). The noise is identical on all machines.
  */
 class LatticeNoise
 {
@@ -34,8 +34,8 @@ public:
     {
       const double position = x[axis] / this->Scale;
       const double floor = std::floor(position);
-      // Replaces indices that would overflow. So far from the origin, positions have no fractional
-      // part anyway.
+      // Index 0 replaces indices that would overflow. Positions this far from the origin have no
+      // fractional part anyway.
       lower[axis] = std::abs(floor) < 4e18 ? static_cast<std::int64_t>(floor) : 0;
       weights[axis] = Fade(position - floor);
     }

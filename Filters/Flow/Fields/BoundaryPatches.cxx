@@ -20,7 +20,8 @@ namespace interlume
 
 namespace
 {
-/// An edge of a face, and whether the face traverses it in descending order of the point ids.
+/// Edge of a face, with its points sorted by id. IsReversed is true if the face traverses the edge
+/// from the larger to the smaller id.
 struct Side
 {
   vtkIdType Points[2];

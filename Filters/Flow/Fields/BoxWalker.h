@@ -21,7 +21,7 @@ class BoxWalker : public CellWalker
 {
 public:
   using Field = FieldType;
-  /// Walker in several cells at once.
+  /// Walker that is in several cells at once, one per SIMD lane.
   template <typename SimdPack>
   using SimdWalker = SimdBoxWalker<FieldType, SimdPack>;
   static constexpr bool HasSimdWalker = true;

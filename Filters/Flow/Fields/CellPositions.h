@@ -13,15 +13,15 @@ namespace interlume
 
 /**
  * @class   CellPositions
- * @brief   checks point positions of cells, and builds a tree of the cells' bounding boxes
+ * @brief   checks the point positions of cells, and builds a CellTree of the bounding boxes
  *
  * \a positions must outlive this object.
  */
 class CellPositions
 {
 public:
-  /// Callback that computes the points of a cell, at most eight, and returns their number, or 0 to
-  /// exclude the cell.
+  /// Callback that writes the point ids of a cell, at most eight, to \a points and returns their
+  /// number, or 0 to exclude the cell.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
   CellPositions(const ArrayRows& positions, CellPoints getPoints);

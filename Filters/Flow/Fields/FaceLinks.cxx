@@ -22,8 +22,8 @@ using FillBlock = FaceLinks::FillBlock;
 using CellPoints = FaceLinks::CellPoints;
 using SetLink = FaceLinks::SetLink;
 
-// A face, its rotation relative to canonical order, and its points in that order, without the
-// first one.
+// A face, its rotation relative to the canonical order, and its points in canonical order except
+// the first.
 template <typename Id>
 struct Entry
 {
@@ -92,7 +92,8 @@ void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
   {
     ends[point + 1] += ends[point];
   }
-  // Before the groups are filled, ends[point] is where a group starts; afterward, where it ends.
+  // ends[point] is the start of the group of this point before the group is filled, and its end
+  // afterward.
   std::vector<Entry<Id>> entries(ends[numberOfPoints]);
   ForEachFace(numberOfBlocks, facesPerBlock, fill,
     [&](vtkIdType face, const vtkIdType* points, int corners)
@@ -118,11 +119,10 @@ void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     });
 }
 
-/// Location of a face.
 struct FaceLocation
 {
-  /// Position along a line that is not aligned with typical grids. Sorted by this position,
-  /// coincident faces are adjacent.
+  /// Projection of Center onto a line that is not aligned with typical grids. Sorting by it brings
+  /// coincident faces close together.
   double Along;
   double Center[3];
   double Width;
@@ -135,7 +135,7 @@ struct FaceLocation
   }
 };
 
-/// Another face with the same corners.
+/// Match of a face: another face with the same corners.
 struct Partner
 {
   vtkIdType Index = -1;
@@ -244,7 +244,7 @@ private:
       FaceLinks::GetTolerance(location.Width, largest, this->Positions.GetRounding(largest));
   }
 
-  /// Finds the other face with the same corners, if there is only one.
+  /// Finds the other face with the same corners, if there is exactly one.
   Partner FindPartner(vtkIdType i) const
   {
     double own[4][3];
@@ -269,7 +269,7 @@ private:
       if (this->GetCorners(other.Face, corners) == number)
       {
         candidate.Gap = std::numeric_limits<double>::infinity();
-        // Neighbors have opposite corner orders unless a cell is inverted.
+        // Faces of adjacent cells have opposite corner orders unless a cell is inverted.
         for (const bool isReversed : { true, false })
         {
           for (int start = 0; start < number; ++start)
@@ -343,7 +343,7 @@ FaceLinks::MatchGaps FaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock
       isLinked[face] = 1;
       setLink(face, link);
     });
-  // Process in blocks to preserve the order of the faces.
+  // Collects the unmatched faces separately for each part, to preserve their order.
   constexpr vtkIdType part = 4096;
   std::vector<std::vector<vtkIdType>> singles((numberOfBlocks + part - 1) / part);
   vtkSMPTools::For(0, static_cast<vtkIdType>(singles.size()),

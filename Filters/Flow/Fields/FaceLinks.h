@@ -18,8 +18,8 @@ namespace interlume
  * @class   FaceLinks
  * @brief   finds pairs of equal cell faces and the mapping between their face coordinates
  *
- * Two faces are equal if they have the same points, or points at equal positions, in the same
- * cyclic order. Therefore periodic and multi-block grids are continuous across their seams.
+ * Two faces are equal if they have the same points, or points at equal positions, in the same or
+ * reverse cyclic order. Therefore periodic and multi-block grids are continuous across their seams.
  * Positions are equal if their distance is at most Tolerance times the width of the narrower cell
  * (FaceExtent) plus rounding error, and at most a tenth of the width. The tolerance is needed
  * because the first and last points of a closed grid rarely coincide exactly. Positions are only
@@ -34,8 +34,8 @@ public:
   static constexpr int MaximumPerBlock = 6;
   static constexpr double Tolerance = 1e-3;
 
-  /// Number of matched face pairs whose positions differ, and the largest distance between their
-  /// corners, in cell widths.
+  /// Number of matched face pairs whose corner positions differ, and the largest distance between
+  /// matched corners, in cell widths.
   struct MatchGaps
   {
     vtkIdType Number = 0;
@@ -48,14 +48,16 @@ public:
     int Corners[MaximumPerBlock];
     vtkIdType Points[MaximumPerBlock][4];
   };
-  /// Callback that fills a block. It may run in several threads.
+  /// Callback that fills a block. Several threads may call it at the same time.
   using FillBlock = std::function<void(vtkIdType number, Block& block)>;
 
-  /// Callback that computes the points of the cell of a face and returns their number.
+  /// Callback that writes the point ids of the cell to which a face belongs, at most eight, to
+  /// \a points and returns their number.
   using CellPoints = std::function<int(vtkIdType face, vtkIdType* points)>;
 
-  /// Link to another face. Corner i of the other face is corner \a Start + i of this face, or \a
-  /// Start - i if \a IsReversed. \a Gap is the largest distance between corners, in cell widths.
+  /// Link to another face. Corner i of the other face is corner \a Start + i of this face, or
+  /// \a Start - i if \a IsReversed, modulo the number of corners. \a Gap is the largest distance
+  /// between matched corners, in cell widths.
   struct Link
   {
     vtkIdType Face;
@@ -63,13 +65,13 @@ public:
     bool IsReversed;
     double Gap = 0.0;
   };
-  /// Callback for each matched face. It may run in several threads, but only once per face.
+  /// Callback for matched faces. Several threads may call it at the same time, but only once per
+  /// face.
   using SetLink = std::function<void(vtkIdType face, const Link& link)>;
 
   /**
-   * Finds the links. \a cells computes at most eight points of the cell of a face, which determine
-   * the cell's width. It is called by several threads, and only for faces without a match by point
-   * ids.
+   * Finds the links. \a cells returns the points that determine the width of a face's cell. Several
+   * threads call it, and only for faces without a match by point ids.
    *
    * Face i of block b has the index b times \a facesPerBlock + i. \a positions holds the positions
    * of the points.
@@ -81,8 +83,8 @@ public:
   static void FindByPoints(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     vtkIdType numberOfPoints, const SetLink& setLink);
 
-  /// Returns the distance up to which corners count as equal. \a largest is the largest coordinate,
-  /// and \a rounding the rounding error of float coordinates.
+  /// Returns the distance up to which corners count as equal. \a largest is the largest absolute
+  /// coordinate, and \a rounding the rounding error of float coordinates.
   static double GetTolerance(double width, double largest, double rounding)
   {
     return std::min(Tolerance * width + 64.0 * DBL_EPSILON * largest + 4.0 * rounding, 0.1 * width);
@@ -108,7 +110,8 @@ public:
   }
 
 private:
-  // Returns the coordinate that is 0 at one corner of [0,1]^2 and 1 at the next corner.
+  // Returns the coordinate of (u,v) along an edge of [0,1]^2. It is 0 at corner \a from and 1 at
+  // corner \a to.
   static double GetAlong(int from, int to, double u, double v)
   {
     constexpr int us[4] = { 0, 1, 1, 0 };

@@ -55,8 +55,8 @@ struct FaceRotation
     return rotation;
   }
 
-  /// Returns the link from a face to the face \a other, which has the same points and the rotation
-  /// \a to.
+  /// Returns the link from a face with the rotation \a from to the face \a other, which has the
+  /// same points and the rotation \a to.
   static FaceLinks::Link GetLink(const FaceRotation& from, const FaceRotation& to, vtkIdType other)
   {
     // Corner i of the other face is corner i - to.Start, or to.Start - i, in canonical order.

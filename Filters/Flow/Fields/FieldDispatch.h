@@ -26,16 +26,17 @@ namespace interlume
 class FieldDispatch
 {
 public:
-  /// Fraction of an algorithm's progress used for building the field, if the algorithm traces
-  /// streamlines.
+  /// Fraction of the progress of an algorithm that is used for building the field if the algorithm
+  /// also traces streamlines.
   static constexpr double BuildingPart = 0.1;
 
   /**
-   * Builds the field and calls function(walker). The type of \a walker depends on the type of \a
-   * data; the walker is in no cell yet, and each thread must use a copy. walker.GetField() is valid
-   * until the function returns. \a arrays are one-component point arrays, which Interpolate()
-   * identifies by index. Returns an error, without calling the function, if the field is invalid.
-   * If the owner of \a progress was aborted, the function is not called either.
+   * Builds the field and calls function(walker). The type of the walker depends on the type of
+   * \a data. The walker is in no cell yet, and each thread must use its own copy. walker.GetField()
+   * is valid until the function returns. \a arrays are one-component point arrays, which
+   * Interpolate() identifies by index. Returns an error, without calling the function, if the field
+   * is invalid. If the algorithm that owns \a progress was aborted, the function is not called
+   * either.
    */
   template <typename Function>
   static Error Execute(vtkDataSet* data, vtkDataArray* vectors,

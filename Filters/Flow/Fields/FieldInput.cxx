@@ -44,8 +44,8 @@ FieldInput::FieldInput(vtkDataObject* input)
         this->Blocks.push_back({ leaf, leaves->GetCurrentFlatIndex() });
       }
     }
-    // If there are three-dimensional blocks, flat blocks are assumed to be patches of their
-    // boundary.
+    // If some blocks have three-dimensional cells, all other blocks are assumed to be boundary
+    // patches and ignored.
     const auto firstFlat = std::stable_partition(this->Blocks.begin(), this->Blocks.end(),
       [](const Block& block) { return HasVolume(block.Data); });
     if (firstFlat != this->Blocks.begin())

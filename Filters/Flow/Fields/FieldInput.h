@@ -49,16 +49,16 @@ public:
   vtkSmartPointer<vtkDataSet> MakePart() const;
   /**
    * Returns the dataset with the sample points. It is \a field, or for composite input a
-   * vtkUnstructuredGrid of its points and cells, because the output type must not depend on the
-   * blocks.
+   * vtkUnstructuredGrid with the points and cells of \a field, because the output type must not
+   * depend on the blocks.
    */
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkDataSet* field) const;
 
-  /// Returns whether the input is composite, so that the samples are always a vtkUnstructuredGrid.
+  /// Returns whether the input is a composite dataset. If it is, the samples are always a
+  /// vtkUnstructuredGrid.
   static bool IsComposite(vtkDataObject* input);
 
 private:
-  /// Returns the datasets of the blocks.
   std::vector<vtkDataSet*> GetData() const;
 
   vtkDataSet* DataSet;

@@ -11,7 +11,7 @@ namespace interlume
 
 /**
  * @class   FieldPartition
- * @brief   partition of a grid in one process
+ * @brief   partition of a grid that belongs to one process
  *
  * Each cell of the grid is owned by one process. In structured (i, j, k) grids, partitions are
  * point extents of the full grid, and Held is the extent of the available data: the owned cells and
@@ -25,8 +25,7 @@ struct FieldPartition
   int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
   int Own[6] = { 0, -1, 0, -1, 0, -1 };
   int Held[6] = { 0, -1, 0, -1, 0, -1 };
-  /// Global ids of the first owned cell of an unstructured grid, and of the cell after the last
-  /// owned cell.
+  /// Range of the global ids of the owned cells of an unstructured grid. EndCell is not included.
   vtkIdType FirstCell = 0;
   vtkIdType EndCell = 0;
 

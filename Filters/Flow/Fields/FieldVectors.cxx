@@ -24,7 +24,7 @@ namespace interlume
 
 namespace
 {
-// Describes the point arrays that could be used as vectors.
+// Returns a sentence that lists the point arrays with three components.
 std::string DescribeVectors(vtkDataSet* data)
 {
   std::string names;

@@ -22,9 +22,9 @@ public:
   static void FillPortInformation(vtkInformation* info);
 
   /**
-   * Returns an error unless the array to process is a point array with three components, and the
-   * cell types are supported by MultilinearCell. Excluded cells may have any type. \a vectors may
-   * be null; \a request describes the requested array.
+   * Returns an error unless the array to process is a point array with three components, and
+   * MultilinearCell supports the cell types. Blanked and flat cells may have other types, but not
+   * all cells may be flat. \a vectors may be null; \a request describes the requested array.
    */
   static Error Check(
     vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request);

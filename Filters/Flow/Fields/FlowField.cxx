@@ -92,7 +92,7 @@ void FlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
 SpeedCount FlowField::CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
   const std::function<bool(vtkIdType)>& isCounted) const
 {
-  // Points outside the field's cells may have any vectors.
+  // Vectors at points that belong to no cell of the field must be ignored.
   const bool isPart = hasOtherPoints || !this->Excluded.empty();
   std::vector<std::atomic<bool>> isUsed(isPart ? this->Vectors.GetNumber() : 0);
   if (isPart)

@@ -65,7 +65,7 @@ public:
   /// Returns the largest vector length, ignoring fill values.
   double GetSpeedScale() const { return this->Fill.Scale; }
   const FillValues& GetFillValues() const { return this->Fill; }
-  /// Returns how many of the points of the field's cells have a non-finite vector.
+  /// Returns the number of points of the field's cells with a non-finite vector.
   vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
   /// Returns the bounds of the dataset as xmin, xmax, ymin, ymax, zmin, zmax.
   const double* GetBounds() const { return this->Bounds; }
@@ -88,26 +88,31 @@ protected:
 
   bool HasExcludedCells() const { return !this->Excluded.empty(); }
 
-  /// Callback that computes the points of a cell, at most eight, and returns their number.
+  /// Callback that writes the point ids of a cell, at most eight, to \a points and returns their
+  /// number.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
   /// Returns an error if the arrays are invalid.
   Error SetArrays(
     vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
-  /// Excludes the cells that the ghost arrays of a dataset hide.
+  /// Excludes the cells that are hidden, or have hidden points, according to the ghost arrays of a
+  /// dataset.
   void SetBlanking(vtkDataSet* data, const CellPoints& cells);
-  /// Sets the number of flat cells to the number in the full grid of all processes.
+  /// Sets the number of flat cells to the number in the full grid, which includes the partitions of
+  /// all processes.
   void SetNumberOfFlatCells(vtkIdType number) { this->NumberOfFlatCells = number; }
   /// Excludes a cell with fewer than three dimensions.
   void ExcludeFlat(vtkIdType cell);
-  /// Computes the maximum speed and finds non-finite vectors. Set \a hasOtherPoints if some points
-  /// may not belong to a cell of the field.
+  /// Computes the maximum speed, and finds fill values and non-finite vectors. Set
+  /// \a hasOtherPoints if some points may not belong to a cell of the field.
   void Measure(const CellPoints& cells, bool hasOtherPoints);
-  /// Counts the speeds at the points of the field's cells for which \a isCounted returns true.
+  /// Collects the speeds at those points of the field's cells for which isCounted(point) returns
+  /// true.
   SpeedCount CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
     const std::function<bool(vtkIdType)>& isCounted = {}) const;
   void SetSpeeds(const SpeedCount& count);
-  /// Sets the bounds to the bounds of the full grid of all processes.
+  /// Sets the bounds to the bounds of the full grid, which includes the partitions of all
+  /// processes.
   void SetBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
 
 private:
@@ -116,7 +121,7 @@ private:
 
   ArrayRows Vectors;
   std::vector<ArrayRows> Arrays;
-  // A flag per cell; empty if no cell is excluded.
+  // 1 for each excluded cell, 0 for other cells. Empty if no cell is excluded.
   std::vector<unsigned char> Excluded;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   vtkIdType NumberOfCells = 0;

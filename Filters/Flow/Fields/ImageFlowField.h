@@ -43,12 +43,12 @@ public:
     }
   }
 
-  /// Computes dx[i]/dp[j] at [3 * i + j].
+  /// Computes frame[3 * i + j] = dx[i]/dp[j].
   void GetFrame(const CellLocation&, double frame[9]) const { Copy(this->Axes, frame); }
   void GetInverse(const CellLocation&, double inverse[9]) const { Copy(this->Inverse, inverse); }
 
 private:
-  /// Computes the position in units of cells along each axis.
+  /// Converts \a x to a position \a q in units of cells along each axis.
   void GetIndexPosition(const double x[3], double q[3]) const;
 
   static void Copy(const double from[3][3], double to[9])

@@ -16,7 +16,7 @@ namespace interlume
  * @brief   field whose cells have indices (i, j, k): images, rectilinear and structured grids
  *
  * The local coordinates p are in [0,1]^3 along i, j and k. Faces 0 to 5 are -i, +i, -j, +j, -k, +k.
- * Indices start at 0 for any extent.
+ * Indices start at 0, whatever the extent of the dataset.
  *
  * If only a partition of the grid is available, cell ids and indices refer to the full grid, and
  * point ids to the partition. Only available cells may be accessed.
@@ -24,7 +24,7 @@ namespace interlume
 class IndexedFlowField : public FlowField
 {
 public:
-  /// A cell and its first corner point.
+  /// A cell, its first corner point, and its indices (i, j, k).
   struct CellLocation
   {
     vtkIdType Cell = 0;
@@ -77,7 +77,7 @@ public:
   /// Returns whether this process traces streamlines in a cell.
   static constexpr bool IsHere(const CellLocation&) { return true; }
 
-  /// Moves to the cell across a face as Step() does, if this process traces streamlines there.
+  /// Same as Step(), but moves only to cells in which this process traces streamlines.
   bool StepHere(CellLocation& location, int face) const { return this->Step(location, face); }
 
   /// Moves to the cell across a face. Returns false, without changes, if that cell does not exist
@@ -108,14 +108,14 @@ public:
    */
   bool FindIndex(const double q[3], const double slack[3], int index[3], double p[3]) const;
 
-  /// Prefetches the vectors at the neighbor's corners that are not on the face.
+  /// Prefetches the vectors at the corners of the neighbor across a face that are not on the face.
   void Prefetch(const CellLocation& location, int face) const
   {
     this->ForEachNeighborCorner(
       location, face, [this](vtkIdType point) { this->PrefetchVector(point); });
   }
 
-  /// Returns the point at a corner of [0,1]^3, x varying fastest.
+  /// Returns the point id of a corner of the cell. Corners are ordered with x varying fastest.
   vtkIdType GetCorner(const CellLocation& location, int corner) const
   {
     return location.Point + this->CornerOffsets[corner];
@@ -138,7 +138,8 @@ public:
     }
   }
 
-  /// Computes the position on a face as fractions of the grid's extent along the two other axes.
+  /// Computes the position on a face as fractions of the grid's extent along the two axes parallel
+  /// to the face.
   void GetParameters(const CellLocation& location, int face, const double p[3], double uv[2]) const
   {
     int direction = 0;
@@ -162,7 +163,8 @@ protected:
     const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
     const FieldPartition* part = nullptr);
 
-  /// Counts the speeds at the points of the cells for whose indices \a isCounted returns true.
+  /// Collects the speeds at those points of the available cells for which isCounted(index) returns
+  /// true. \a index contains the point's (i, j, k) in the full grid.
   SpeedCount CountHeldSpeeds(const std::function<bool(const int index[3])>& isCounted) const;
 
   /// Finds the cell as FindIndex() does. If that cell is excluded, finds an included cell with that
@@ -182,7 +184,7 @@ protected:
     }
   }
 
-  /// Computes the points of a cell from its id in the partition.
+  /// Writes the point ids of a cell to \a points, given the cell id in the partition. Returns 8.
   int GetHeldPoints(vtkIdType cell, vtkIdType* points) const;
 
   int Cells[3] = { 0, 0, 0 };
@@ -195,7 +197,7 @@ private:
     return this->FirstPoint != 0 || this->Cells[0] != this->HeldCells[0] ||
       this->Cells[1] != this->HeldCells[1] || this->Cells[2] != this->HeldCells[2];
   }
-  /// Returns the id of a cell in the partition, which is its index in the dataset.
+  /// Returns the id that a cell of the full grid has in the partition.
   vtkIdType GetHeldCell(vtkIdType cell) const
   {
     return this->IsPart() ? this->GetHeldCell(this->GetCellLocation(cell)) : cell;
@@ -204,13 +206,14 @@ private:
 
   bool FindIncludedNeighbor(const double slack[3], CellLocation& location, double p[3]) const;
 
-  // (i, j, k) of the first available point, number of available cells along each axis, and point id
-  // that the full grid's first point would have in the partition (0 or negative).
+  // (i, j, k) of the first available point, number of available cells along each axis, and the
+  // point id that the first point of the full grid would have in the partition (0 or negative).
   int HeldFirst[3] = { 0, 0, 0 };
   int HeldCells[3] = { 0, 0, 0 };
   vtkIdType FirstPoint = 0;
   vtkIdType CornerOffsets[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
-  /// For each face, offsets of the corners of the neighbor that are not on the face.
+  /// For each face, the neighbor's corners that are not on the face, as offsets of their point ids
+  /// from the current cell's first point.
   vtkIdType NeighborOffsets[6][4] = {};
 };
 

@@ -17,10 +17,11 @@ namespace interlume
  * @class   IsoparametricWalker
  * @brief   walker for cells of any shape, in structured and unstructured grids
  *
- * Position and vectors are interpolated by the same functions of p (InterpolatedCell), so tracing
- * needs no inversion. Only Locate() uses Newton's method, in the cells found by CellTree. It enters
- * the first cell, in the order of the tree, that contains the point. If no cell does, it enters the
- * cell nearest to the point if the distance is within rounding error (CellSearchResult).
+ * Positions and vectors are interpolated with the same functions of p (InterpolatedCell), so
+ * tracing does not invert the mapping from p to x. Only Locate() does, using Newton's method in the
+ * cells found by CellTree. Locate() enters the first cell in the tree that contains the point. If
+ * no cell does, it enters the nearest cell, provided that the point is outside only by rounding
+ * error.
  *
  * Folded cells, where dx/dp is singular, and cells that are inverted relative to their neighbors
  * can cause endless crossings without progress in time. Therefore callers limit the number of
@@ -51,8 +52,8 @@ public:
     return true;
   }
 
-  /// Finds the cell as Locate() does, among the cells in this process, but does not enter it. The
-  /// walker is then in no cell.
+  /// Finds the cell that Locate() would enter, among the cells in this process. Call GoTo() to
+  /// enter the cell; until then, the walker is in no cell.
   bool Search(const double x[3], CellSearchResult& found)
   {
     return this->SearchFrom(x, false, found) || this->SearchFrom(x, true, found);
@@ -147,7 +148,7 @@ protected:
     this->Cell.SetVectors();
   }
 
-  // Searches for x with one or several starting points of Newton's method.
+  // Searches for x with Newton's method, from one or several starting points per cell.
   bool SearchFrom(const double x[3], bool fromSeveral, CellSearchResult& found)
   {
     double smallestOutside = VTK_DOUBLE_MAX;
@@ -191,7 +192,7 @@ protected:
     return true;
   }
 
-  // Returns the distance outside the cell, in local coordinates, that rounding may cause.
+  // Returns how far outside the cell rounding errors may move p, in local coordinates.
   double GetSlack(const double x[3], const double p[3]) const
   {
     const double largest = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });

@@ -25,13 +25,13 @@ namespace interlume
 
 namespace
 {
-/// The included cells of a part, their points, and the merged ids of these points.
+/// One of the merged datasets, with the ids of the cells and points to copy.
 struct Part
 {
   vtkDataSet* Data = nullptr;
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Points;
-  /// Merged ids by point id of the part; -1 for points that belong to no included cell.
+  /// Id in the merged grid for each point of the part, or -1 if no cell to copy uses the point.
   std::vector<vtkIdType> Merged;
 };
 
@@ -68,8 +68,8 @@ Part MakePart(vtkDataSet* data)
   return part;
 }
 
-/// A point of a part. Keys are ordered by the bits of coordinates, because NaN compares false with
-/// every number.
+/// A point of a part. Keys are ordered by the bit patterns of their coordinates, because NaN is
+/// unordered.
 struct PointKey
 {
   std::array<std::uint64_t, 3> Bits;
@@ -91,8 +91,8 @@ struct PointKey
   }
 };
 
-/// Assigns merged ids: points with equal coordinates get the id of the first. Returns the number of
-/// ids.
+/// Assigns an id in the merged grid to each point. Points with equal coordinates get the same id.
+/// Returns the number of ids.
 vtkIdType NumberPoints(std::vector<Part>& parts)
 {
   std::vector<PointKey> keys;
@@ -181,7 +181,8 @@ void UniteTypes(std::vector<vtkSmartPointer<vtkDataSet>>& parts, int attributes)
   }
 }
 
-/// Concatenates the tuples of all parts. \a ids selects them: Part::Points or Part::Cells.
+/// Concatenates the arrays of all parts. \a ids is Part::Points or Part::Cells, the ids of the
+/// tuples to copy.
 void CopyArrays(const std::vector<Part>& parts, int attributes, std::vector<vtkIdType> Part::*ids,
   vtkIdType number, vtkDataSetAttributes* to)
 {

@@ -19,10 +19,10 @@ namespace interlume
 namespace MergedDataSets
 {
 /**
- * Merges the included cells and their points, in the order of the parts. Hidden and refined cells,
- * cells with hidden points, and duplicates, whose originals are in another part, are excluded
- * (Blanking). Points with identical coordinates become one point, with the values of the first of
- * them.
+ * Merges the cells and their points, in the order of the parts. Hidden, refined and duplicate
+ * cells, and cells with hidden points, are excluded (Blanking). Points with identical coordinates
+ * become one point, which gets the values of the first.
+ *
  * Point and cell arrays are kept if all parts have an array of the same name and number of
  * components; arrays of different types become double. Ghost arrays are removed. Coordinates are
  * float if all parts have float coordinates.

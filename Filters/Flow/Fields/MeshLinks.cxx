@@ -37,7 +37,7 @@ Registry& GetRegistry()
 
 MeshLinks::Key MeshLinks::GetKey(vtkUnstructuredGrid* grid)
 {
-  // The grid's virtual GetMTime() would also change with unrelated arrays.
+  // The grid's virtual GetMTime() would also change if an unrelated array changed.
   Key key = { { grid, grid->vtkObject::GetMTime() } };
   vtkCellArray* cells = grid->GetCells();
   for (vtkObject* part : std::initializer_list<vtkObject*>{ cells, cells->GetOffsetsArray(),

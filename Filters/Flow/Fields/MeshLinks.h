@@ -39,8 +39,9 @@ public:
   /// Makes the links available to Find() as long as a reference to them exists.
   static void Add(const Key& key, const std::shared_ptr<const MeshLinks>& links);
 
-  /// Returns the number of outer faces with a cell on the far side (NonconformingInterfaces), and
-  /// the cell of the first such face. Only the first call computes them, with compute().
+  /// Returns the number of faces that NonconformingInterfaces counts, and the cell id of the first
+  /// one, or -1. The first call computes both with compute(), and later calls return the same
+  /// values.
   template <typename Compute>
   const std::pair<vtkIdType, vtkIdType>& GetNonconformingInterfaces(Compute&& compute) const
   {
@@ -54,8 +55,7 @@ public:
   std::vector<vtkIdType> Links;
   FaceLinks::MatchGaps Gaps;
 
-  /// Returns the code of a link to face \a face of a cell:
-  /// 64 * cell + 8 * face + 2 * start + reversed.
+  /// Encodes a link to face \a face of a cell as 64 * cell + 8 * face + 2 * start + reversed.
   static vtkIdType GetLink(vtkIdType cell, int face, const FaceLinks::Link& link)
   {
     return 64 * cell + 8 * face + 2 * link.Start + (link.IsReversed ? 1 : 0);

@@ -17,19 +17,19 @@ namespace interlume
 
 /**
  * @class   NonconformingInterfaces
- * @brief   counts outer faces with a cell on the far side, where streamlines end because no face
- * matches
+ * @brief   counts faces that no other face matches although there is a cell on the other side
  *
- * A face counts if another cell contains its test position, which is outside the face's own cell at
- * a distance of Step times the cell width from the center of the face.
+ * Streamlines end at such faces inside the grid. A face counts if another cell contains its test
+ * position, which is outside the face's own cell at a distance of Step times the cell width from
+ * the center of the face.
  */
 struct NonconformingInterfaces
 {
   vtkIdType Number = 0;
-  /// Cell of the first such face, or -1 if there is none.
+  /// Id of the cell of the first counted face, or -1 if there is none.
   vtkIdType FirstCell = -1;
 
-  /// Counts the faces in a field of cells of any shape.
+  /// Counts the faces of a field whose cells may have any shape.
   template <typename Field>
   static NonconformingInterfaces Find(const Field& field)
   {
@@ -60,8 +60,8 @@ struct NonconformingInterfaces
     return found;
   }
 
-  /// Computes the test position outside a face. Returns false if the face is collapsed, because no
-  /// streamline leaves through it.
+  /// Computes the test position outside a face. Returns false for a collapsed face, through which
+  /// no streamline leaves.
   template <typename Field>
   static bool GetPositionOutside(const Field& field, vtkIdType face, double x[3])
   {

@@ -19,7 +19,8 @@ namespace interlume
 namespace PointCopies
 {
 /**
- * Fills the empty \a points and \a data from \a input, followed by copies of the points \a sources.
+ * Copies the points and point data of \a input to the empty \a points and \a data, and appends
+ * copies of the points with the ids \a sources.
  */
 void Append(
   vtkPointSet* input, const std::vector<vtkIdType>& sources, vtkPoints* points, vtkPointData* data);

@@ -28,7 +28,7 @@ public:
     const FieldPartition* part = nullptr);
 
   bool Locate(const double x[3], CellLocation& location, double p[3]) const;
-  /// Finds the cell that contains \a x, even if it is excluded, and the local position.
+  /// Finds the cell that contains \a x, even if it is excluded, and the local coordinates of \a x.
   bool LocateIndex(const double x[3], int index[3], double p[3]) const;
 
   void GetPosition(const CellLocation& location, const double p[3], double x[3]) const
@@ -42,7 +42,7 @@ public:
     }
   }
 
-  /// Computes dx[i]/dp[j] at [3 * i + j].
+  /// Computes frame[3 * i + j] = dx[i]/dp[j].
   void GetFrame(const CellLocation& location, double frame[9]) const
   {
     for (int i = 0; i < 9; ++i)
@@ -59,8 +59,8 @@ public:
   }
 
 private:
-  /// Computes the position in units of cells along each axis, and the tolerance at the boundary of
-  /// the grid.
+  /// Computes the continuous cell indices \a q of \a x, and the tolerance at the boundary of the
+  /// grid in the same units.
   void GetIndexPosition(const double x[3], double q[3], double slack[3]) const;
 
   const double* GetEnds(const CellLocation& location, int axis) const
@@ -74,7 +74,7 @@ private:
   }
 
   std::vector<double> Coordinates[3];
-  // Largest absolute coordinates, which determine the rounding error.
+  // Largest absolute coordinate along each axis, which determines the rounding error.
   double Magnitude[3] = { 0.0, 0.0, 0.0 };
 };
 

@@ -32,7 +32,7 @@ public:
     this->Enter();
   }
 
-  /// Moves a SIMD lane to a cell. Call Enter() to compute all velocities afterward.
+  /// Moves a SIMD lane to a cell. Call Enter() afterward to compute the velocities.
   void Stand(int lane, const CellLocation& location) { this->Stands[lane] = location; }
   /// Copies the cell, frame and velocities of another walker to a SIMD lane.
   template <typename Walker>
@@ -67,13 +67,13 @@ public:
   const CellLocation& GetCellLocation(int lane) const { return this->Stands[lane]; }
   vtkIdType GetCell(int lane) const { return this->Stands[lane].Cell; }
 
-  /// Prefetches the vectors at those corners of the cell across a face that are not on the face.
+  /// Prefetches the vectors of the cell across a face, except at the corners on the face.
   [[gnu::always_inline]] void Prefetch(int lane, int face) const
   {
     this->Shared->Prefetch(this->Stands[lane], face);
   }
 
-  /// Moves a SIMD lane to the cell across a face. Call Enter() afterward, as for Stand(). Returns
+  /// Moves a SIMD lane to the cell across a face. Call Enter() afterward, as after Stand(). Returns
   /// false if this process has no such cell.
   [[gnu::always_inline]] bool Step(int lane, int face)
   {
@@ -181,13 +181,13 @@ private:
         }
       }
     }
-    // A sum with a non-finite number is not finite.
+    // The sum is finite only if all vectors are finite.
     return 0.0 * check == SimdPack::Of(0.0);
   }
 
   const Field* Shared;
   CellLocation Stands[SimdPack::Number];
-  /// Coefficients as in Trilinear.
+  /// Coefficients of dp/dt, as in Trilinear.
   SimdPack C[8][3];
   SimdPack Frame[9];
   SimdPack Inverse[9];

@@ -17,8 +17,8 @@ namespace interlume
  * @class   StructuredFlowField
  * @brief   field on a structured grid of hexahedra
  *
- * If outer faces coincide (FaceLinks), for example along the cut of an O- or C-grid, streamlines
- * continue across the seam.
+ * Outer faces that coincide (FaceLinks), for example along the cut of an O- or C-grid, form a seam.
+ * Streamlines continue across seams.
  *
  * For a partition, Build() only sets the points and arrays. The caller must call BuildTree() and
  * SetSeams().
@@ -50,7 +50,8 @@ public:
   /// Returns the rounding error of float positions, or 0 for double positions.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
-  /// Prefetches the positions and vectors at the neighbor's corners that are not on the face.
+  /// Prefetches the positions and vectors of the cell across a face, except at the corners on the
+  /// face.
   void Prefetch(const CellLocation& location, int face) const
   {
     this->ForEachNeighborCorner(location, face,
@@ -77,7 +78,7 @@ public:
   {
     return this->WithoutSeams(this->GetOutsideFaces());
   }
-  /// Returns how many linked face pairs have different positions, and by how much.
+  /// Returns how many pairs of linked faces do not coincide exactly, and the largest gap.
   const FaceLinks::MatchGaps& GetMatchGaps() const { return this->Gaps; }
 
   /// Returns whether a streamline leaves the grid through a face.
@@ -88,7 +89,7 @@ public:
   }
 
 protected:
-  /// A linked face on a seam, as 8 * cell + face.
+  /// A face on a seam and its link. Face and Link.Face are 8 * cell + face.
   struct Seam
   {
     vtkIdType Face;
@@ -103,11 +104,11 @@ protected:
   /// order.
   std::vector<vtkIdType> GetOutsideFaces(const int first[3], const int last[3]) const;
   std::vector<vtkIdType> WithoutSeams(std::vector<vtkIdType> faces) const;
-  /// Returns the seams among the faces \a own. links[i] belongs to own[i], and its Face is an index
-  /// into \a all, or -1 for no link.
+  /// Returns the seams among the faces \a own. links[i] is the link of own[i]; its Face is an index
+  /// into \a all, or -1 if there is no link.
   static std::vector<Seam> GetSeams(const std::vector<vtkIdType>& own,
     const std::vector<vtkIdType>& all, const std::vector<FaceLinks::Link>& links);
-  /// Sets the seams, in ascending order of faces.
+  /// Sets the seams, which must be sorted by face.
   void SetSeams(std::vector<Seam>&& seams, const FaceLinks::MatchGaps& gaps)
   {
     this->Seams = std::move(seams);
@@ -126,7 +127,7 @@ private:
 
   ArrayRows Positions;
   CellTree Tree;
-  // Seams in ascending order of faces.
+  // Sorted by face.
   std::vector<Seam> Seams;
   FaceLinks::MatchGaps Gaps;
 };

@@ -29,7 +29,7 @@ Error UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vect
   {
     return error;
   }
-  // If the links are cached, the cells were already found valid.
+  // If the links are cached, the cells have been validated before.
   const MeshLinks::Key key = MeshLinks::GetKey(grid);
   const std::shared_ptr<const MeshLinks> cached = MeshLinks::Find(key);
   if (this->GetNumberOfFlatCells() == this->GetNumberOfCells())

@@ -24,8 +24,8 @@ namespace interlume
  * @brief   field on tetrahedra, voxels, hexahedra, wedges and pyramids
  *
  * Streamlines cross faces that FaceLinks matches. They end at a face without a link, for example
- * between a quadrilateral and two triangles. The links need memory for one id per face. Fields of
- * the same mesh share them (MeshLinks).
+ * between a quadrilateral and two triangles. The links store one id per face. Fields on the same
+ * mesh share them (MeshLinks).
  *
  * Cells with fewer than three dimensions are excluded.
  *
@@ -80,7 +80,8 @@ public:
         vectors.C[corner][3] = 0.0;
       });
   }
-  /// Copies the values at the corners to the first column and clears the other columns.
+  /// Copies the values of a point array to the first column of \a values, and clears the other
+  /// columns.
   void GetValues(int array, const CellLocation& location, Trilinear& values) const
   {
     this->ForEachCorner(location,
@@ -94,14 +95,15 @@ public:
   /// Returns the rounding error of float positions, or 0 for double positions.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
-  /// Return the faces without a neighbor, as 8 * cell + face, in ascending order, and the number
-  /// and ids of the points of a face in cyclic order.
+  /// Returns the faces without a neighbor, as 8 * cell + face, in ascending order.
   std::vector<vtkIdType> GetOuterFaces() const;
+  /// Computes the ids of the points of a face, in cyclic order, and returns their number.
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
-  /// Returns how many linked faces have different positions, and by how much.
+  /// Returns how many pairs of linked faces do not coincide exactly, and the largest gap.
   const FaceLinks::MatchGaps& GetMatchGaps() const { return this->Mesh->Gaps; }
-  /// Return the links of the mesh and the number of cell faces whose links were reused.
+  /// Returns the links, which fields on the same mesh may share.
   const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
+  /// Returns the number of cell faces whose links Build() took from another field on the same mesh.
   vtkIdType GetNumberOfReusedFaceMatches() const { return this->NumberOfReusedFaceMatches; }
   const ArrayRows& GetPositions() const { return this->Positions; }
 
@@ -136,20 +138,21 @@ protected:
   Error FindCellError(vtkIdType first) const;
   void FindOnlyType();
   CellPositions GetCellPositions() const;
-  /// Computes at most eight points of a cell in VTK's order, and returns their number.
+  /// Computes the ids of at most eight points of a cell, in VTK's order, and returns their number.
   int GetStoredPoints(vtkIdType cell, vtkIdType* points) const;
   /// Finds the links between faces with the same points, and if \a byCoordinates is true, also
   /// between faces with the same coordinates.
   void FindLinks(MeshLinks& mesh, bool byCoordinates) const;
-  /// Uses the links of a mesh.
+  /// Sets the links to use.
   void Use(const std::shared_ptr<const MeshLinks>& mesh);
 
-  /// Returns the code of a face's link, see MeshLinks::GetLink().
+  /// Returns the link of a face, encoded by MeshLinks::GetLink(), or a negative number if there is
+  /// no neighbor in this process.
   vtkIdType GetLink(vtkIdType cell, int face) const
   {
     return this->Links[cell * this->FacesPerCell + face];
   }
-  /// Prefetches the data of an available cell.
+  /// Prefetches the data of a cell in this process. Prefetch() explains \a round.
   void PrefetchCell(const CellLocation& cell, int round) const
   {
     if (round == 0)
@@ -178,7 +181,7 @@ protected:
   }
 
 private:
-  // For a VTK cell type: the CellShape, its number of corners, and the VTK index of each corner.
+  // CellShape of a VTK cell type, with the VTK index of each of its corners.
   struct TypeCorners
   {
     int Shape;
@@ -217,7 +220,7 @@ private:
   StoredIds Offsets;
   StoredIds PointIds;
   const unsigned char* Types = nullptr;
-  // Type and number of points of all cells if they are the same, otherwise 0.
+  // VTK type and number of points that all cells share, or 0 if the cells differ.
   int OnlyType = 0;
   int OnlySize = 0;
   vtkSmartPointer<GridCells::Types> TypeArray;

@@ -13,8 +13,8 @@ namespace interlume
  * @class   UnstructuredWalkerOf
  * @brief   walker for unstructured grids, which finds neighbors by face links
  *
- * A position on a face is transferred exactly, in face coordinates. The patches of the boundary are
- * the domain faces.
+ * Streamlines cross a face without a search: face coordinates map their position to the neighbor.
+ * The domain faces are the patches of the boundary.
  *
  * \a FieldType is UnstructuredFlowField or a derived class.
  */

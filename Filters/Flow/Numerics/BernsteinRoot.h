@@ -43,7 +43,7 @@ public:
     using Math = NumberMath<Number>;
     Number powers[MaximumDegree + 1];
     BernsteinRoot::GetPowers(b, degree, powers);
-    // Upper bound of half the second derivative.
+    // Upper bound on half the absolute second derivative.
     Number bend = Math::Of(0.0);
     for (int k = 2; k <= degree; ++k)
     {
@@ -86,7 +86,8 @@ public:
 private:
   static double FindIn(const double* b, int degree, double from, double width, int depth);
 
-  /// Returns the root of the parabola with the given value and slope at 0 and the given value at 1.
+  /// Estimates the root from the parabola with the given value and slope at 0 and value at 1, or
+  /// from a line if the parabola has no root in (0, 1).
   template <typename Number>
   INTERLUME_RETURNS_VECTOR static Number GuessOnly(
     const Number& start, const Number& slope, const Number& end)

@@ -9,7 +9,7 @@
 namespace interlume
 {
 
-/// Scalar product of vectors of doubles or SIMD packs.
+/// Dot product of vectors of doubles or SIMD packs.
 template <typename Number>
 struct ScalarProduct
 {

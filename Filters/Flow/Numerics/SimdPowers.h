@@ -9,11 +9,11 @@ namespace interlume
 
 /**
  * @class   SimdPowers
- * @brief   computes binary logarithms and powers of SIMD packs to seven digits
+ * @brief   computes log2(x) and 2^x of SIMD packs to seven digits
  *
  * Unlike the functions of a math library, the results are the same on every machine and for any
- * number of lanes. Arguments of the logarithm must be positive normal numbers. The power must also
- * be a normal number.
+ * number of lanes. Arguments of the logarithm and results of the power must be positive normal
+ * numbers.
  */
 struct SimdPowers
 {
@@ -23,8 +23,9 @@ struct SimdPowers
   {
     using Bits = typename SimdPack::Bits;
     using Numbers = typename SimdPack::Numbers;
-    // The mantissa is scaled to [sqrt(1/2), sqrt(2)). The exponent is converted to a double: plus
-    // an offset, it becomes the low bits of a number near 2^52.
+    // The mantissa is scaled to [sqrt(1/2), sqrt(2)). To convert the exponent to a double, its bits
+    // become the low bits of a number near 2^52, from which 2^52 and the exponent bias are
+    // subtracted.
     constexpr unsigned long long lowest = 0x3fe6a09e667f3bcdULL;
     const Bits bits = Bits(x.Values) + (0x4000000000000000ULL - lowest);
     const SimdPack exponent = { Numbers((bits >> 52) | 0x4330000000000000ULL) -

@@ -16,12 +16,12 @@ namespace
 constexpr int Offset = 1080;
 // With fewer vectors than this, no fill values are detected.
 constexpr vtkIdType MinimumNumber = 8;
-// Minimum gap, in powers of 2, between fill values and the next lower speed: for few vectors, for
-// vectors that repeat a component, and for huge components.
+// Minimum gap, in powers of 2, between fill values and the next lower speed, for fill values that
+// are few, that repeat a component, or that are huge.
 constexpr std::size_t GapOfFew = 10;
 constexpr std::size_t GapOfRepeated = 3;
 constexpr std::size_t GapOfHuge = 30;
-// Minimum magnitude of a huge component.
+// Minimum magnitude of the components of huge fill values.
 constexpr double Huge = 1e10;
 
 // Returns the component of a vector with the largest magnitude. Sets \a isRepeated to true if two
@@ -34,15 +34,15 @@ double FindLargest(const double vector[3], bool& isRepeated)
   return v[0];
 }
 
-// Returns the start of a warning about vectors at some points.
+// Returns the beginning of a warning about the vectors at \a number points.
 std::string DescribePoints(vtkIdType number, const char* array)
 {
   return "The vectors" + (array ? std::string(" \"") + array + "\"" : "") + " at " +
     std::to_string(number) + " points ";
 }
 
-// Returns the end of a warning: how to exclude the points. \a where is empty or describes the
-// points.
+// Returns the end of a warning, which explains how to exclude the points. \a where is empty or a
+// clause that tells where the points are.
 std::string DescribeRemedy(const std::string& where)
 {
   return " To exclude these points, set the HIDDENPOINT flag in the point array vtkGhostType" +
@@ -141,7 +141,7 @@ FillValues SpeedScale::FindFillValues() const
   {
     return fill;
   }
-  // Vectors visited since the last gap, which may be fill values.
+  // Vectors visited since the last gap, in descending order of speed. They may be fill values.
   Bin top;
   vtkIdType largestCount = 0;
   vtkIdType above = 0;

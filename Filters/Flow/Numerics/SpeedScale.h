@@ -17,11 +17,12 @@ namespace interlume
 struct FillValues
 {
   vtkIdType Number = 0;
-  /// Component that all vectors of the most frequent kind of fill value contain, or 0 if these
-  /// vectors have no component in common.
+  /// Largest-magnitude component of the vectors in the most numerous group of fill values, or 0 if
+  /// it differs between them. Groups are separated by gaps in speed.
   double Value = 0.0;
-  /// Largest speed of the presumed fill values, and largest speed of all other vectors.
+  /// Largest speed of all vectors.
   double LargestSpeed = 0.0;
+  /// Largest speed of the vectors that are not fill values.
   double Scale = 0.0;
 
   /// Returns a warning that ends with a remedy. \a array is the name of the vectors and may be
@@ -41,11 +42,11 @@ std::string DescribeNonFinite(vtkIdType number, const char* array, const std::st
  * count as fill values if one of these conditions holds:
  * - At most 1% of all vectors have these speeds, and they are at least about 1000 times as fast as
  *   the others.
- * - At most half of all vectors have these speeds, they are about 10 times as fast as the others,
- *   their largest components are the same number, and at least half of them contain it two or three
- *   times.
- * - Their largest components are the same number, at least 1e10 in magnitude, they are about 1e9
- *   times as fast as the others, and the others are at least 1% of all vectors.
+ * - At most half of all vectors have these speeds, they are at least about 10 times as fast as the
+ *   others, their largest components are the same number, and at least half of them contain it two
+ *   or three times.
+ * - Their largest components are the same number, at least 1e10 in magnitude, they are at least
+ *   about 1e9 times as fast as the others, and the others are at least 1% of all vectors.
  *
  * Sets of fewer than eight vectors have no fill values. Zero vectors are ignored. The result does
  * not depend on the order of the vectors.
@@ -94,7 +95,7 @@ private:
     /// equal or much smaller.
     vtkIdType Repeated = 0;
     double Largest = 0.0;
-    /// Range of the components with the largest magnitude in each vector.
+    /// Range of the largest-magnitude components of the vectors.
     double Lower = std::numeric_limits<double>::infinity();
     double Upper = -std::numeric_limits<double>::infinity();
 
@@ -104,9 +105,9 @@ private:
 
   static constexpr std::size_t Powers = 2112;
 
-  /// Returns true if the vectors of \a top are fill values. \a above is the number of vectors from
-  /// \a top upward, \a number the number of all vectors, and \a gap the number of powers of 2 down
-  /// to the next lower speed.
+  /// Returns true if the vectors of \a top are fill values. \a above is the number of vectors that
+  /// are at least as fast, \a number is the number of all vectors, and \a gap is the distance to
+  /// the next lower speed in powers of 2.
   static bool AreFillValues(const Bin& top, vtkIdType above, vtkIdType number, std::size_t gap);
 
   std::array<Bin, Powers> Bins{};

@@ -61,7 +61,7 @@ struct Cell
   const vtkIdType* Begin() const { return this->Corners.data(); }
   const vtkIdType* End() const { return this->Corners.data() + this->Shape->NumberOfCorners; }
 
-  // Calls visit(face, corners) for each face.
+  // Calls visit(corners, number of corners) for each face.
   template <typename Visit>
   void ForEachFace(Visit&& visit) const
   {
@@ -116,7 +116,7 @@ public:
     const std::vector<unsigned char> mixed = this->FindCells(
       [&](const Cell& cell)
       {
-        // vtkFlowVolume cuts these cells at their surface.
+        // vtkFlowVolume cuts these cells at the surface, so they need no refinement.
         if (!farSide.IsEmpty() &&
           farSide.GetParts(arrays, cell.Begin(), cell.End() - cell.Begin()).IsResolved)
         {
@@ -156,7 +156,8 @@ public:
   }
 
 private:
-  // Returns an array that contains 1 for each cell that satisfies \a test. Runs in parallel.
+  // Returns an array that contains 1 for each cell that satisfies \a test. Threads may call \a test
+  // concurrently.
   template <typename Test>
   std::vector<unsigned char> FindCells(const Test& test) const
   {
@@ -206,7 +207,7 @@ private:
     return false;
   }
 
-  // Finds the cells to cut, and the quadrilaterals and cells that need a center.
+  // Finds the cells to cut, and the quadrilaterals and cells that need a new point at their center.
   void FindCenters()
   {
     std::vector<unsigned char> isEnd(static_cast<std::size_t>(this->Before), 0);
@@ -257,7 +258,7 @@ private:
     return this->GetFirstFace() + static_cast<vtkIdType>(this->Faces.size());
   }
 
-  // Returns the center of a quadrilateral; -1 if it does not have one.
+  // Returns the id of the new point at the center of a quadrilateral, or -1 if there is none.
   vtkIdType FindFace(Face corners) const
   {
     std::sort(corners.begin(), corners.end());
@@ -384,7 +385,7 @@ private:
         { cut->InsertNextCell(VTK_TETRA, 4, piece.data()); });
   }
 
-  // Adds the cells between a face and the center of its cell.
+  // Adds the cells between a face and the point \a center of its cell.
   void AddFan(Face corners, std::size_t number, vtkIdType center, vtkUnstructuredGrid* cut) const
   {
     double x[4][3];
@@ -421,9 +422,9 @@ private:
   vtkNew<vtkIdList> Ids;
   MarkedEdges Edges;
   std::vector<unsigned char> IsCut;
-  // Quadrilaterals with a new point at their center, with corners in ascending order, and cells
-  // with a new point at their center.
+  // Corners, in ascending order, of each quadrilateral with a new point at its center.
   std::vector<Face> Faces;
+  // Ids of the cells with a new point at their center.
   std::vector<vtkIdType> Centers;
 };
 

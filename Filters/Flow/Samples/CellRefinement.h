@@ -15,14 +15,14 @@ namespace interlume
  * @class   CellRefinement
  * @brief   refines cells of an implicit flow field that cannot be interpolated
  *
- * A cell is mixed if its corners differ in status or id, or if time jumps within it
+ * A cell is mixed if its corners differ in status or id, or if time is discontinuous within it
  * (ImplicitFlowArrays::IsAcrossSurface). Cells that a flow volume cuts at a surface
  * (FarSideSamples) are excluded. All edges of mixed cells are marked. Tetrahedra with marked edges
  * are cut by MarkedBisection. Any other cell with a marked edge gets a point at its center, and
  * each of its quadrilaterals with a marked edge gets a point at the face center. Such a
  * quadrilateral becomes four triangles and, with the cell's center, four tetrahedra. Other faces
  * form a pyramid or a tetrahedron with the center. The tetrahedra are then cut at their marked
- * edges. Therefore neighbors that conformed face to face still do.
+ * edges. Neighbors that conformed before therefore still conform.
  *
  * New points on edges come first, then points on quadrilaterals, both in the order of their corner
  * ids, then points in cells. Point arrays are interpolated; the ghost type of a new point has the
@@ -30,8 +30,8 @@ namespace interlume
  * cell that they subdivide.
  *
  * Lower-dimensional cells, quadratic cells, polyhedra, prisms, and hidden or blanked cells remain
- * unchanged, and their neighbors need not conform. Duplicates of other pieces' cells are refined
- * like all other cells.
+ * unchanged, and their neighbors need not conform. Duplicate cells, whose originals are in another
+ * piece, are refined like all others.
  */
 class CellRefinement
 {

@@ -27,7 +27,7 @@ namespace interlume
 
 namespace
 {
-/// Samples that this process sends, and the indices of their points in its data.
+/// Index of each sample that this process sends, and id of its point in the data of this process.
 using Rows = std::vector<std::pair<vtkIdType, vtkIdType>>;
 
 Rows FindRows(DistributedField& field, const std::array<std::vector<vtkIdType>, 3>& indices)
@@ -64,9 +64,9 @@ Rows FindRows(DistributedField& field, const std::array<std::vector<vtkIdType>, 
   return rows;
 }
 
-/// Fills an array with the rows that processes send. Only one process sends each row, and the other
-/// processes contribute 0. Therefore the sum of the bytes over all processes is the row. \a from
-/// may be null if this process sends nothing.
+/// Fills \a to with the tuples of \a from that all processes send. Each tuple is sent by one
+/// process, and the others contribute zeros. Therefore the sum of the bytes over all processes is
+/// the tuple. \a from may be null if this process sends nothing.
 void Gather(RankExchange& exchange, const Rows& rows, vtkDataArray* from, vtkDataArray* to)
 {
   const auto bytes = static_cast<std::size_t>(to->GetNumberOfComponents() * to->GetDataTypeSize());
@@ -85,8 +85,8 @@ void Gather(RankExchange& exchange, const Rows& rows, vtkDataArray* from, vtkDat
   }
 }
 
-/// Creates the point arrays that the first process with points has, and the ghost array if any
-/// process has one.
+/// Adds to \a samples the point arrays of the field. The first process with points defines which
+/// arrays there are, except that there is a ghost array if any process has one.
 void GatherArrays(DistributedField& field, const Rows& rows, vtkDataSet* samples)
 {
   vtkPointData* from = field.GetData()->GetPointData();

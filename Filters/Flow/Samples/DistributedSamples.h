@@ -17,10 +17,10 @@ class DistributedField;
 namespace DistributedSamples
 {
 /**
- * Creates in each process all the samples that SampleGrid::Make creates for a rectilinear or
- * structured grid with many points. Collective.
+ * Creates in every process the samples that SampleGrid::Make() would create for the full grid,
+ * which must not be an image. Collective.
  *
- * The process that owns a point sends the point and its arrays.
+ * For structured data, the process that owns a sampled point sends its position and array values.
  */
 vtkSmartPointer<vtkDataSet> Make(DistributedField& field);
 }

@@ -26,10 +26,10 @@ namespace interlume
 namespace
 {
 constexpr int MaximumCorners = 8;
-// Distance within which a corner is on the surface, as a fraction of the cell's diagonal.
+// Maximum distance of a corner that counts as on the surface, as a fraction of the cell's diagonal.
 constexpr double OnSurface = 1e-9;
 
-// Searches one cell at a time, in one thread.
+// Finds the corners and pairs of one cell at a time. Each thread has its own object.
 class CellSearch
 {
 public:
@@ -41,8 +41,8 @@ public:
     this->Blanking.SetBlanking(samples);
   }
 
-  /// Adds the corners of a cell that a surface crosses. If no surface does and \a pairs is not
-  /// null, adds the pairs of its corners.
+  /// If surfaces cross the cell, adds its corners to \a found. Otherwise, if \a pairs is not null,
+  /// adds pairs of its corners to \a pairs.
   void Search(vtkIdType cell, vtkIdList* ids, std::vector<FarSideCorners::Corner>& found,
     std::vector<FarSideCorners::Pair>* pairs)
   {
@@ -258,7 +258,7 @@ private:
   double Length = 0.0;
 };
 
-// Orders corners by sample, and the corners of one sample by the distance of their surface.
+// Orders corners by sample, and the corners of one sample by the distance to their surface.
 bool IsBefore(const FarSideCorners::Corner& a, const FarSideCorners::Corner& b)
 {
   return std::make_tuple(a.Sample, std::abs(a.Distance), a.Surface) <
@@ -287,7 +287,7 @@ std::vector<FarSideCorners::Corner> FarSideCorners::Find(vtkDataSet* samples,
   vtkSMPThreadLocal<std::vector<Pair>> pairsOfThreads;
   if (cells > 0)
   {
-    // The first calls build data that the dataset caches. Make them before threads start.
+    // The first calls build caches in the dataset. Make them before threads start.
     samples->GetCellPoints(0, lists.Local());
     samples->GetCellType(0);
   }

@@ -19,11 +19,11 @@ class ImplicitFlowArrays;
  * @class   FarSideCorners
  * @brief   finds the samples at corners of cells that a termination surface cuts
  *
- * The cells are mixed: their corners differ in status or id, or time jumps within them. A surface
- * reached by a corner's streamline crosses such a cell if the signed distance from it has both
- * signs at the corners, and the distances of two corners on different sides add up to at most the
- * cell's diagonal. All corners must project onto the surface, so that its boundary edge is not in
- * the cell. A corner on the surface counts as having reached it.
+ * The cells are mixed: their corners differ in status or id, or time is discontinuous within them.
+ * A surface reached by a corner's streamline crosses such a cell if the signed distance from it has
+ * both signs at the corners, and the distances of two corners on different sides add up to at most
+ * the cell's diagonal. All corners must project onto the surface, so that its boundary edge is not
+ * in the cell. A corner on the surface counts as having reached it.
  */
 class FarSideCorners
 {
@@ -35,9 +35,9 @@ public:
     int Surface = -1;
     /// Signed distance from the surface; 0 if the sample is on it.
     double Distance = 0.0;
-    /// Longest diagonal of the cells that contribute this corner.
+    /// Longest diagonal of the cut cells that share this corner.
     double Length = 0.0;
-    /// True if a corner on the surface's other side reaches a surface.
+    /// True if one of these cells has a corner on the other side that reaches a surface.
     bool IsOtherReached = false;
   };
 
@@ -51,8 +51,8 @@ public:
   /// Finds the corners, each with its nearest surface, in ascending order of samples and without
   /// duplicates. If \a pairs is not null, it receives pairs for the mixed cells that no surface
   /// crosses and in which some corners reach the same surface and the others reach none. Each pair
-  /// is the two ends of an edge. A corner without such an edge is paired with the nearest corner
-  /// with the opposite result.
+  /// consists of the ends of an edge. A corner without such an edge is paired with the nearest
+  /// corner that can complete a pair.
   static std::vector<Corner> Find(vtkDataSet* samples, const ImplicitFlowArrays& arrays,
     const AdvectionOptions& options, std::vector<Pair>* pairs = nullptr);
 };

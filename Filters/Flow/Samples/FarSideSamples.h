@@ -27,9 +27,9 @@ class ImplicitFlowArrays;
  * crosses a cell, they allow interpolation in each of two parts: above the surface, where the
  * distance is positive, and below it.
  *
- * A sample may have one row for a surface and one row for the boundary of the reached region. If
- * all corners of a cell have rows for a surface, the surface cuts the cell; otherwise the boundary
- * does.
+ * A sample may have one row (tuple index) for a surface, and one row for the boundary of the
+ * reached region, which is the region whose streamlines reach a surface. If all corners of a cell
+ * have rows for a surface, the surface cuts the cell; otherwise the boundary does.
  *
  * Arrays whose positions do not match the dataset's points belong to another dataset and are
  * ignored.
@@ -43,12 +43,12 @@ public:
   static constexpr const char* Normal = "SampleNormal";
   static constexpr const char* Surface = "SampleSurface";
 
-  /// Values of SampleSurface that are not surface indices: for samples that stagnate on their
-  /// surface and for samples near the boundary of the reached region.
+  /// Value of SampleSurface for samples that stagnate on a surface.
   static constexpr int Stagnant = -1;
+  /// Value of SampleSurface for samples near the boundary of the reached region.
   static constexpr int NoSurface = -2;
 
-  /// Returns the name of the far-side array for \a name.
+  /// Returns the name of the far-side array that corresponds to the array \a name.
   static std::string GetName(const std::string& name)
   {
     return vtkFlowStatus::FarSidePrefix() + name;
@@ -64,12 +64,13 @@ public:
   /// The part of a cell on one side of the surface.
   struct Part
   {
-    /// Side: 1 above, -1 below, 0 for no part.
+    /// 1 above the surface, -1 below it, or 0 if there is no such part.
     int Side = 0;
     /// Id shared by all samples of the part.
     int Id = -1;
-    /// IsNear: all streamlines of the part start toward the surface. IsFar: none does.
+    /// True if all streamlines of the part start toward the surface.
     bool IsNear = false;
+    /// True if all streamlines of the part start away from the surface.
     bool IsFar = false;
     /// True if the boundary of the reached region divides the cell.
     bool IsBoundary = false;
@@ -80,17 +81,18 @@ public:
     /// True if vtkFlowVolume can extract every part with a sample that reached a surface.
     bool IsResolved = false;
   };
-  /// Finds the parts of a cell with these corners.
+  /// Finds the parts of the cell with the given corners.
   Parts GetParts(
     const ImplicitFlowArrays& arrays, const vtkIdType* corners, vtkIdType number) const;
 
-  /// Values that a corner contributes to a part of its cell.
+  /// Which values a corner contributes to a part of its cell.
   enum Roles
   {
-    /// OWN: the corner's own values. KNOWN: the corner's far-side values. UNKNOWN: no values,
-    /// because the corner lies on the far side and has no usable far-side values.
+    /// The corner's own values.
     OWN,
+    /// The corner's far-side values.
     KNOWN,
+    /// No values: the corner is on the far side and has no usable far-side values.
     UNKNOWN
   };
   Roles GetRole(const ImplicitFlowArrays& arrays, vtkIdType corner, const Part& part) const;
@@ -102,19 +104,19 @@ public:
     return this->RowsOfPoints[isBoundary ? 1 : 0][static_cast<std::size_t>(point)];
   }
   vtkIdType GetPoint(vtkIdType row) const;
-  /// Returns the distance from the surface, at least 0.
+  /// Returns the unsigned distance of the sample from the surface or boundary.
   double GetDistance(vtkIdType row) const;
   /// Returns true if the row belongs to a surface, not to the boundary of the reached region.
   bool HasSurface(vtkIdType row) const { return this->Surfaces->GetComponent(row, 0) != NoSurface; }
-  /// Returns the side of the surface: 1 above, -1 below, 0 on the surface. At the boundary of the
-  /// reached region: 1 for samples that reach a surface, otherwise -1.
+  /// Returns the side of the surface that the sample is on: 1 above, -1 below, 0 on the surface. At
+  /// the boundary of the reached region, returns 1 for samples that reach a surface, otherwise -1.
   int GetSide(vtkIdType row) const;
-  /// Returns true if the streamline starts away from the surface.
+  /// Returns true if the sample's streamline starts away from the surface.
   bool IsAway(vtkIdType row) const;
   /// Returns the far-side id of the sample; -1 if unknown.
   int GetId(vtkIdType row) const;
-  /// Returns the time that the streamline takes to reach the surface, negative if it comes from the
-  /// surface; 0 if the time is unknown or there is no surface.
+  /// Returns the time that the sample's streamline takes to reach the surface, negative if it comes
+  /// from the surface; 0 if the time is unknown or there is no surface.
   double GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const;
   void GetNormal(vtkIdType row, double normal[3]) const { this->Normals->GetTuple(row, normal); }
 

@@ -10,8 +10,8 @@ namespace interlume
 {
 
 /**
- * Stage of an execution that computes far-side values of samples near surfaces, once their sides
- * are known.
+ * Stage of an execution that computes the far-side values of samples near surfaces, after
+ * SampleIntegration has determined the side of each sample.
  */
 namespace FarSideStage
 {

@@ -18,13 +18,15 @@ namespace
 {
 // Maximum number of steps to the surface near a sample. Crossing a cell needs only a few.
 constexpr int MaximumSteps = 100;
-// Maximum distance from a sample to the point where its streamline reaches the surface, and
-// distance behind the surface at which the streamline continues, in units of the cell's diagonal.
+// Maximum distance from a sample to the point where its streamline reaches the surface, in units of
+// the cell's diagonal.
 constexpr double MaximumDistance = 4.0;
+// Distance behind the surface at which the streamline continues, in the same units.
 constexpr double StartBehind = 1e-4;
 
-/// Prepends two parts of the path to the result \a on of its far side: \a to, which leads to the
-/// surface in time \a before, and the short way through the surface, of length \a way.
+/// Adds the path to the far side to the result \a on of the streamline that starts there. The path
+/// consists of \a to, which ends at the surface, and a short step of length \a way through the
+/// surface. It takes the time \a before.
 void Append(const AdvectionResult& to, double way, double before, AdvectionResult& on)
 {
   const double after = on.Time;

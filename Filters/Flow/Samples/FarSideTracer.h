@@ -23,7 +23,6 @@ namespace interlume
 class FarSideTracer
 {
 public:
-  /// Result for one sample.
   struct SampleResult
   {
     /// True if the sample stagnates on the surface, so that no streamline determines its far side.
@@ -55,15 +54,17 @@ private:
   /// Negates a velocity if streamlines run backward. Returns true if its position is in the field
   /// and it is finite and faster than MinimumSpeed.
   bool OrientVelocity(Streamlines::Velocity& velocity) const;
-  /// Computes the side and the normal of a corner from its velocity, and adds its row to \a back
-  /// if its streamline must be traced back to the surface, or to \a on if it continues through it.
+  /// Computes the side and the normal of a corner from its velocity, and adds its row to \a back if
+  /// its streamline must be traced back to the surface, or to \a on if it must be continued through
+  /// the surface.
   void Describe(const Corners& corners, std::size_t row, Streamlines::Velocity velocity,
     SampleResult& sampleResult, Rows& back, Rows& on) const;
   bool IsHit(const AdvectionResult& result, const FarSideCorners::Corner& corner) const;
-  /// Follows streamlines from corners to their surface, backward or forward in time.
+  /// Follows streamlines from corners to their surface, against the direction of integration if
+  /// \a isBack is true.
   bool FollowTo(
     const Corners& corners, const Rows& rows, bool isBack, std::vector<AdvectionResult>& results);
-  /// Continues streamlines on the far side of the surface. \a before are their results at the
+  /// Continues streamlines on the far side of the surface. \a before contains their results at the
   /// surface.
   bool FollowOn(const Corners& corners, const Rows& rows,
     const std::vector<AdvectionResult>& before, std::vector<SampleResult>& sampleResults);

@@ -53,10 +53,10 @@ public:
   /// them.
   bool HasSides() const { return this->Sides && this->Times; }
   /**
-   * Returns true if time jumps within a cell whose corners all have the same id. On one side of the
-   * surface the time approaches 0: streamlines start toward the surface, or a corner lies on it. On
-   * the other side some streamlines start away from the surface and return later. If all start
-   * toward the surface, time approaches 0 on both sides and does not jump.
+   * Returns true if AdvectionTime is discontinuous within a cell whose corners all have the same
+   * id. On one side of the surface, the time approaches 0: streamlines start toward the surface, or
+   * a corner lies on it. On the other side, some streamlines start away from the surface and return
+   * later. If all start toward the surface, the time approaches 0 on both sides and is continuous.
    */
   template <typename Ids>
   bool IsAcrossSurface(const Ids* corners, vtkIdType number) const
@@ -94,8 +94,8 @@ public:
   std::array<bool, 2> GetPeriodicity(int id) const;
 
   /**
-   * Reads a field array whose tuples are an id, a flag for u and a flag for v: TerminationSurfaces
-   * or InflowPeriodic. The result is empty if \a data has no such array.
+   * Reads the field array \a name, TerminationSurfaces or InflowPeriodic. Each tuple contains an
+   * id, a flag for u and a flag for v. The result is empty if \a data has no such array.
    */
   static std::map<int, std::array<bool, 2>> ReadFlags(vtkDataSet* data, const char* name);
 

@@ -48,8 +48,8 @@ public:
   void SetCheckpoint(FlowCheckpoint* checkpoint) { this->Checkpoint = checkpoint; }
 
   /**
-   * Adds the arrays to \a samples. Returns an error if the field or an array of MeanArrays cannot
-   * be used; an abort is not an error. Progress includes building the field.
+   * Advects the samples and adds their arrays. Returns an error if the field or an array of
+   * MeanArrays cannot be used; an abort is not an error. Progress includes building the field.
    */
   Error Execute(vtkDataSet* samples);
 
@@ -84,15 +84,16 @@ private:
   /// Sets the values of the report that describe the field.
   template <typename FieldType>
   void Describe(const FieldType& field);
-  /// Returns the diagonal of the field's bounds.
+  /// Returns the length of the diagonal of the field's bounds.
   double GetFieldLength() const;
   Error FindArrays(std::vector<vtkDataArray*>& means) const;
   void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
 
   vtkAlgorithm* Owner;
   AdvectionOptions Options;
-  // The whole field, possibly without arrays, and the data that this process holds.
+  // The field, or DistributedField::GetFullGrid() if the field is distributed.
   vtkDataSet* Field;
+  // The data of the field in this process.
   vtkDataSet* Data;
   vtkDataArray* Vectors;
   DistributedField* Ranks = nullptr;

@@ -21,7 +21,7 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Indices of the variables in a parser.
+// Indices of the variables of a parser, in the order in which MakeParser() defines them.
 enum Variables
 {
   VARIABLE_U,
@@ -29,7 +29,7 @@ enum Variables
   VARIABLE_F
 };
 
-// Stores the first error of a parser, without its position in VTK's source.
+// Stores the first error message of a parser, without the source location that VTK prepends.
 void StoreError(vtkObject*, unsigned long, void* client, void* data)
 {
   auto& error = *static_cast<Error*>(client);

@@ -44,8 +44,9 @@ private:
   Error ReadImage();
 
   friend class InflowEvaluator;
-  // Values of the image, row by row, and the number of values along u and v.
+  // Values of the image, with u varying fastest.
   std::vector<double> Values;
+  // Number of values along u and v.
   int Size[2] = { 0, 0 };
 };
 

@@ -29,7 +29,7 @@ public:
   {
   }
 
-  /// Calls \a visit for each piece of \a tetrahedron, with the same orientation.
+  /// Calls \a visit for each piece of \a tetrahedron. The pieces have the same orientation.
   template <typename Visit>
   void Split(const Tetrahedron& tetrahedron, Visit&& visit) const
   {

@@ -32,7 +32,8 @@ void MarkedEdges::Build(std::vector<Edge> edges, vtkPoints* points)
     double b[3];
     points->GetPoint(edge[0], a);
     points->GetPoint(edge[1], b);
-    // Scaling avoids overflow and underflow of squares. NaN would violate the strict weak ordering.
+    // Scaling avoids overflow and underflow of squares. A NaN length becomes 0 because it would
+    // violate the strict weak ordering of the sort below.
     const glm::dvec3 offset = scale * Vectors::Difference(b, a);
     const double length = glm::dot(offset, offset);
     lengths.push_back(length > 0.0 ? length : 0.0);

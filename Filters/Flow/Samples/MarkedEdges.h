@@ -29,17 +29,18 @@ public:
   vtkIdType GetNumber() const { return static_cast<vtkIdType>(this->Edges.size()); }
   const Edge& Get(vtkIdType edge) const { return this->Edges[static_cast<std::size_t>(edge)]; }
 
-  /// Returns the index of the edge between two points; -1 if it is not marked or a point is new.
+  /// Returns the index of the edge between two points; -1 if it is not marked or if a point did not
+  /// exist in Build().
   vtkIdType Find(vtkIdType a, vtkIdType b) const;
 
-  /// Returns the rank of an edge. Longer edges have lower ranks; edges of equal length are ranked
-  /// by point ids.
+  /// Returns the rank of an edge; the edge with the lowest rank is cut first. Longer edges have
+  /// lower ranks; edges of equal length are ranked by point ids.
   vtkIdType GetRank(vtkIdType edge) const { return this->Ranks[static_cast<std::size_t>(edge)]; }
 
 private:
   std::vector<Edge> Edges;
   std::vector<vtkIdType> Ranks;
-  // For each point, index of the first edge whose lower point it is.
+  // The edges whose lower point is p have the indices from Starts[p] to Starts[p + 1] - 1.
   std::vector<vtkIdType> Starts;
 };
 

@@ -65,8 +65,8 @@ void OutputPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
   part->GetCellData()->CopyAllOn();
   part->GetCellData()->CopyAllocate(grid->GetCellData(), last - first);
   part->GetCellData()->CopyData(grid->GetCellData(), 0, last - first, first);
-  // The field data must not be the same object: ShallowCopy of the grid's own field data would
-  // clear it.
+  // Each grid must have its own field data object; if they shared one, copying the part back to the
+  // grid would clear it.
   part->GetFieldData()->ShallowCopy(grid->GetFieldData());
   grid->ShallowCopy(part);
 }

@@ -16,12 +16,12 @@ namespace interlume
 
 namespace
 {
-// Number of bisections of each line.
+// Number of bisection steps on the line between the samples of a pair.
 constexpr int Bisections = 6;
-// Number of relaxation passes over all lines. The distances need not converge exactly.
+// Number of relaxation passes over all pairs. The distances need not converge exactly.
 constexpr int Passes = 32;
 
-// Calls visit(value) for each number of a result that is extrapolated.
+// Calls visit(number) for each number that is extrapolated in a result.
 template <typename Visit>
 void ForEachNumber(AdvectionResult& result, Visit&& visit)
 {
@@ -43,7 +43,7 @@ std::vector<double> GetNumbers(AdvectionResult result)
   return numbers;
 }
 
-// Shifts a parameter by whole periods to within half a period of another one.
+// Shifts a parameter by whole periods, of length 1, to within half a period of another one.
 void Unwrap(double& parameter, double other)
 {
   parameter += std::round(other - parameter);
@@ -145,8 +145,8 @@ void ReachedBoundary::SetDistances(SampleResults& sampleResults) const
       log = std::min(log, std::log(fraction * length));
     }
   }
-  // Least-squares fit of the logarithms of the distance ratios, alternately relaxing the samples
-  // that reach the surface and the other samples.
+  // Least-squares fit of the logarithms of the distances, whose ratio is known for each pair. The
+  // passes update the samples that reach the surface and the other samples alternately.
   std::vector<double> sums(sampleResults.size());
   std::vector<int> numbers(sampleResults.size());
   for (int pass = 0; pass < Passes; ++pass)
@@ -174,8 +174,8 @@ void ReachedBoundary::SetDistances(SampleResults& sampleResults) const
 
 void ReachedBoundary::Extrapolate(const SampleArrays& results, SampleResults& sampleResults) const
 {
-  // For each sample, the line whose bracket comes closest to the sample. The surface of that line
-  // is used.
+  // For each sample that does not reach the surface, the line with the largest First. Lines with
+  // another id are ignored for the sample.
   std::vector<const Line*> closest(sampleResults.size(), nullptr);
   for (const Line& line : this->Lines)
   {
@@ -204,8 +204,8 @@ void ReachedBoundary::Extrapolate(const SampleArrays& results, SampleResults& sa
     }
     std::vector<double>& sum = sums[line.Other];
     sum.resize(start.size(), 0.0);
-    // If the bracket starts close to the reached sample, extrapolating over so short a distance is
-    // inaccurate and gets a small weight. If there is only one line, the weight cancels.
+    // The extrapolated value is start + (end - start) / First, which is inaccurate if First is
+    // small. Therefore its weight is First, and the sum needs no division by First.
     const double weight = std::max(line.First, 1e-9);
     for (std::size_t i = 0; i < sum.size(); ++i)
     {

@@ -24,9 +24,9 @@ class SampleArrays;
  * samples that do not
  *
  * For each pair of such samples in a cell, bisection finds the last position between them whose
- * streamline reaches the same surface. Each sample then gets one distance. The distances are fitted
- * so that their ratios match the positions found. Samples that do not reach the surface get
- * linearly extrapolated values.
+ * streamline reaches the same surface. Then each sample gets a distance from the boundary. The
+ * ratios of the distances are fitted to the positions found. Samples that do not reach the surface
+ * get linearly extrapolated values.
  */
 class ReachedBoundary
 {
@@ -49,8 +49,9 @@ public:
   {
   }
 
-  /// Computes the results of all samples in \a pairs, ascending by sample, from their known \a
-  /// results. Collective if the field is distributed. Returns false if the execution was aborted.
+  /// Computes \a sampleResults for all samples in \a pairs, sorted by sample, from the advection
+  /// results in \a results. Collective if the field is distributed. Returns false if the execution
+  /// was aborted.
   bool Find(const std::vector<FarSideCorners::Pair>& pairs, const SampleArrays& results,
     std::vector<SampleResult>& sampleResults);
 

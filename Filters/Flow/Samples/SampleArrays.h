@@ -25,8 +25,8 @@ namespace interlume
 class SampleArrays
 {
 public:
-  /// Adds the arrays that the settings require to the point data of samples, or, with \a prefix
-  /// before their names, to the field data of far-side samples.
+  /// Adds the arrays that the settings require to \a data: the point data of the samples or, with
+  /// \a prefix before the names, the field data for far-side values.
   static SampleArrays Make(const vtkFlowSettings& settings, vtkFieldData* data, vtkIdType number,
     const std::string& prefix = {});
   /// Finds the arrays that Make added.

@@ -36,7 +36,8 @@ Size GetSize(const int extent[6])
   return { { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1 } };
 }
 
-/// Computes the stride of the samples along each direction.
+/// Returns the stride of the samples along each direction of a grid with the given numbers of
+/// points.
 Size GetStrides(const Size& points)
 {
   Size strides{ { 1, 1, 1 } };
@@ -54,7 +55,7 @@ Size GetStrides(const Size& points)
   return strides;
 }
 
-/// Returns the indices of the samples in a row of points.
+/// Returns the indices of the samples along a direction with \a points points.
 std::vector<vtkIdType> GetRow(vtkIdType points, vtkIdType stride)
 {
   std::vector<vtkIdType> indices;
@@ -200,7 +201,8 @@ vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
   {
     longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
   }
-  // Voxels are nearly cubes. A direction in which the bounds have no extent gets one layer.
+  // The voxels are nearly cubic. If the bounds have no extent along a direction, there is one layer
+  // of voxels.
   double lengths[3];
   for (int axis = 0; axis < 3; ++axis)
   {

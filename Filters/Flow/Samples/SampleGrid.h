@@ -17,7 +17,7 @@ namespace interlume
  * @class   SampleGrid
  * @brief   creates the samples of vtkImplicitFlowField::SAMPLES_AUTOMATIC
  *
- * If a field has at most MaximumPoints points, these are the samples. Larger fields get fewer
+ * If a field has at most MaximumPoints points, its points are the samples. Larger fields get fewer
  * samples, in a dataset of the same type. Image data become a coarser image over the same box.
  * Rectilinear and structured grids keep every n-th point and the last one along each direction.
  * Unstructured grids get the voxels of an image over their bounds. The stride n grows along the
@@ -33,7 +33,7 @@ public:
   /// has few points, and otherwise begins at 0.
   static void GetExtent(const int field[6], int samples[6]);
 
-  /// Returns the point indices of the samples along each direction, from 0.
+  /// Returns the point indices of the samples along each direction. The first index is 0.
   static std::array<std::vector<vtkIdType>, 3> GetIndices(const int field[6]);
 
   /// Creates the samples for an unstructured grid with many points, from its bounds.

@@ -52,7 +52,7 @@ bool SampleIntegration::Run(vtkDataSet* samples, vtkIdType first, int level)
   this->Reports = &reports;
   if (all > 0)
   {
-    // The first call builds data that the dataset caches. Make it before threads start.
+    // The first call builds caches in the dataset. Make it before threads start.
     double x[3];
     samples->GetPoint(0, x);
   }
@@ -133,7 +133,7 @@ double SampleIntegration::GetDistance(int id, const double first[2], const doubl
       ? Vectors::SafeLength(Vectors::Difference(x, y))
       : std::numeric_limits<double>::infinity();
   }
-  // No domain face is wider than the field.
+  // An upper bound, since no domain face is wider than the field.
   return this->Context.FieldLength *
     std::max(std::abs(first[0] - other[0]), std::abs(first[1] - other[1]));
 }

@@ -18,33 +18,35 @@ class SampleOrder;
 
 /**
  * @class   SampleIntegration
- * @brief   advects samples in the order of a space-filling curve, or level by level
+ * @brief   advects samples in the order of a space-filling curve, or with interpolation
+ * (StreamlineSharing)
  *
  * This is the first stage of an execution. It runs again after each level of refinement.
  */
 class SampleIntegration
 {
 public:
-  /// Progress once the samples of all levels have been advected.
+  /// Progress of the execution after the samples of all refinement levels have been advected.
   static constexpr double ProgressEnd = 0.98;
 
   SampleIntegration(StageContext& context, vtkDataSet* samples);
 
-  /// Advects the samples from \a first on, which a level of refinement has added, and determines
-  /// their sides. Returns false if the execution was aborted.
+  /// Advects the samples with ids from \a first on, which are new at this refinement level, and
+  /// determines the sides of all samples. Returns false if the execution was aborted.
   bool Run(vtkDataSet* samples, vtkIdType first, int level);
 
 private:
   bool Follow(const SampleOrder& order);
-  /// Advects samples of a regular grid level by level, and interpolates some of them.
+  /// Advects some of the samples on a grid with the given dimensions, and interpolates the others.
   bool FollowAndInterpolate(const int dimensions[3]);
   void Store(vtkIdType id, const AdvectionResult& result);
   void FindSides();
   double GetProgress() const;
   bool CanInterpolate(int dimensions[3]) const;
-  /// Returns the surface with this id, and its part; null for domain faces.
+  /// Returns the surface with the given id, and the index of its part with that id; null for domain
+  /// faces.
   const vtkTerminationSurface* FindSurface(int id, int& part) const;
-  /// Returns the distance between two points on the surface with this id.
+  /// Returns the distance between two points, given by (u,v), on the surface with the given id.
   double GetDistance(int id, const double first[2], const double other[2]) const;
 
   StageContext& Context;

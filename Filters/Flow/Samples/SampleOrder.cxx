@@ -32,7 +32,7 @@ std::vector<vtkIdType> MakeIds(vtkIdType first, vtkIdType end)
   return ids;
 }
 
-/// Computes the block of a position within bounds.
+/// Computes the Morton code of the block that contains a position.
 class Blocks
 {
 public:

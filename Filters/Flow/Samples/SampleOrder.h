@@ -19,8 +19,8 @@ namespace interlume
  * Consecutive streamlines then read the same region of the field, which improves cache use. The
  * bounds of the samples are divided into 2^k blocks along each axis, with about eight samples per
  * block. Blocks follow the order of their Morton codes (G. M. Morton, 1966); samples within a block
- * retain their order. Positions that are not finite come first. The order depends only on the
- * positions. A counting sort computes it.
+ * retain their order. A coordinate that is not finite counts as the lowest. The order depends only
+ * on the positions, and is computed by a counting sort.
  */
 class SampleOrder
 {

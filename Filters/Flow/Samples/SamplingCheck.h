@@ -62,13 +62,13 @@ private:
     std::array<double, NUMBER_OF_QUANTITIES> Errors{};
   };
 
-  /// Finds the candidate cells.
+  /// Returns the ids of the cells with a corner in the field.
   std::vector<vtkIdType> FindCells() const;
   bool IsSplit(const Cell& cell) const;
   /// Returns true if the status and id of \a result are not the most frequent ones among the
   /// corners.
   bool IsDifferent(const Cell& cell, const AdvectionResult& result) const;
-  /// Returns the interpolation error of u or v.
+  /// Returns the interpolation error of u (\a axis 0) or v (1) at the center of a cell.
   double GetError(const Cell& cell, const AdvectionResult& result, int axis) const;
   SamplingReport::Error GetError(Quantities quantity) const;
 

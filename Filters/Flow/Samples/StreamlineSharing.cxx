@@ -18,13 +18,14 @@ namespace interlume
 namespace
 {
 constexpr int Nodes = 4;
-/// Spacing of the samples that are advected first. A larger spacing saves almost no streamlines.
+/// Maximum spacing of the samples that are advected first. A larger value would save few additional
+/// streamlines.
 constexpr int MaximumStride = 4;
 /// Factor by which halving the spacing reduces the error of cubic interpolation where second
 /// derivatives jump.
 constexpr double ErrorReduction = 4.0;
-/// Weights of the cubic polynomial through four nodes, at the midpoint of each of the three
-/// intervals.
+/// Weights of four nodes in cubic interpolation at the midpoints of the three intervals between
+/// them.
 constexpr double Weights[Nodes - 1][Nodes] = { { 0.3125, 0.9375, -0.3125, 0.0625 },
   { -0.0625, 0.5625, 0.5625, -0.0625 }, { 0.0625, -0.3125, 0.9375, 0.3125 } };
 }
@@ -477,8 +478,8 @@ bool StreamlineSharing::IsVerified(const Index& block) const
       }
     }
   }
-  // Without predicted corners, the center is not sufficient evidence: errors along the axes may
-  // cancel there.
+  // If no corner was predicted, a small error at the center is not sufficient: errors along
+  // different axes may cancel there.
   return isPredicted;
 }
 

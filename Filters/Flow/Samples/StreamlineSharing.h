@@ -17,25 +17,25 @@ namespace interlume
  * @class   StreamlineSharing
  * @brief   decides which samples of a regular grid can be interpolated from their neighbors
  *
- * Every fourth sample along each axis is advected first. Each of two further levels halves the
+ * At first, every fourth sample along each axis is advected. Each of two further levels halves the
  * spacing. Each sample at a midpoint between known samples is either advected, or interpolated from
- * up to 4^3 known samples by cubic polynomials. A sample is interpolated if all its blocks of eight
- * known samples are good. A block is good if
- * - all samples used for interpolation in it reached one surface, neither u nor v crosses a seam
- *   between them, and the interpolated values lie on the surface,
+ * up to 4^3 known samples by cubic polynomials. Eight known samples are the corners of a block. A
+ * sample is interpolated if all blocks that contain it are good. A block is good if
+ * - all samples used for interpolation in it reached the same surface, neither u nor v crosses a
+ *   seam between them, and the interpolated values lie on the surface,
  * - some of its corners are midpoints at the spacing of the previous level, and interpolation there
  *   had an error of at most four times the tolerance (halving the spacing reduces the error at
  *   least by a factor of four, even where second derivatives jump at faces of the field's cells),
- * - the sample at its center, where the polynomial's error is largest, is advected, and
- *   interpolation at the center has an error within the tolerance.
+ * - interpolation at its center, where the polynomial's error is largest, has an error within the
+ *   tolerance. The sample at the center is always advected.
  *
- * Therefore the interpolation error is measured, and measuring it needs no additional streamlines:
- * each streamline is also the result of a sample.
+ * Measuring the error needs no additional streamlines, since each streamline is also the result of
+ * a sample.
  */
 class StreamlineSharing
 {
 public:
-  /// Results of all samples. The caller also stores the interpolated results here.
+  /// Arrays with the results of all samples. The caller also stores interpolated results in them.
   struct SampleResults
   {
     const unsigned char* Status;
@@ -50,14 +50,14 @@ public:
     double Parameters[2] = { 0.0, 0.0 };
     double Time = 0.0;
   };
-  /// Computes the error of interpolated values against the result of a sample with the same id, in
-  /// units of the tolerance; infinite if it cannot be computed.
+  /// Computes the error of interpolated values, in units of the tolerance. \a uv and \a time are
+  /// the result of advection, on the same surface. The error is infinite if it cannot be computed.
   using Measure = std::function<double(const SampleResult& guess, const double* uv, double time)>;
   /// Returns whether u and v are periodic on the surface with this id.
   using Seams = std::function<std::array<bool, 2>(int id)>;
   using Ids = std::vector<vtkIdType>;
 
-  /// Gets the dimensions of samples on a regular grid. Returns false for other samples.
+  /// Gets the dimensions of the grid of samples. Returns false if the grid is not structured.
   static bool GetDimensions(vtkDataSet* samples, int dimensions[3]);
 
   StreamlineSharing(
@@ -78,8 +78,8 @@ public:
     const std::function<void(vtkIdType id, const SampleResult& result)>& visit);
 
   ///@{
-  /// Number of compared centers of good blocks, and their largest and mean interpolation error in
-  /// units of the tolerance.
+  /// Number of good blocks, and the largest and mean interpolation error at their centers in units
+  /// of the tolerance.
   vtkIdType GetNumberOfChecks() const { return this->Checks; }
   double GetLargestError() const { return this->LargestError; }
   double GetMeanError() const { return this->Checks > 0 ? this->SumOfErrors / this->Checks : 0.0; }
@@ -89,7 +89,7 @@ private:
   enum BlockMarks : unsigned char
   {
     NOT_GOOD = 0,
-    /// The block was good until its center was compared.
+    /// Good except for the interpolation error at the center.
     REFUTED = 1,
     GOOD = 2
   };
@@ -98,38 +98,38 @@ private:
   vtkIdType GetId(const Index& at) const;
   Index GetBlock(std::size_t block) const;
   void SetStride(int stride);
-  /// Interpolates a sample midway between samples with spacing \a stride. Returns false if
+  /// Interpolates a sample midway between known samples with spacing \a stride. Returns false if
   /// interpolation is not allowed.
   bool Predict(const Index& at, int stride, SampleResult& result) const;
-  /// Returns true if the known samples nearest to a midpoint reached one surface. Along an axis
-  /// with several \a nodes, these are sample \a first and the next sample; otherwise only \a first.
+  /// Returns true if the known samples nearest to a midpoint reached the same surface: \a first
+  /// and, along each axis with more than one node, the next sample.
   bool ReachOneSurface(const Index& first, const Index& nodes, int stride) const;
   /// Interpolates from \a nodes samples along each axis, beginning at \a first. Returns false if
-  /// they did not reach one surface.
+  /// they did not reach the same surface, if they are on both sides of a seam, or if the result is
+  /// not on the surface.
   bool Interpolate(const Index& first, const Index& nodes, const double* const weights[3],
     int stride, SampleResult& result) const;
-  /// Returns the interpolation error of a sample with a known result, in units of the tolerance;
-  /// infinite if the surface differs or interpolation is not allowed.
+  /// Returns the interpolation error at an advected sample, in units of the tolerance; infinite if
+  /// the surface differs or interpolation is not allowed.
   double GetError(const Index& at, int stride) const;
   double GetError(const Index& at, const SampleResult& guess) const;
   bool IsAnyGood() const;
-  /// Calls visit(at) for the midpoints of a block until visit returns false. Returns true if visit
-  /// never returned false.
+  /// Calls visit(at) for the midpoints of a block. If visit returns false, stops and returns false.
   template <typename Visit>
   bool VisitMidpoints(const Index& block, Visit&& visit) const;
-  /// Calls visit(at) for all samples of this level.
+  /// Calls visit(at) for all samples that this level adds.
   template <typename Visit>
   void VisitNew(Visit&& visit) const;
   /// Calls visit(block) for all blocks, in parallel.
   template <typename Visit>
   void VisitBlocks(Visit&& visit) const;
-  /// Returns true if all blocks of a sample have at least this mark.
+  /// Returns true if all blocks that contain a sample have at least the given mark.
   bool IsInMarkedBlocks(const Index& at, unsigned char minimumMark) const;
-  /// Returns the sample at the center of a block; IsCenter tests for such a sample.
+  /// Returns the sample at the center of a block. IsCenter returns true for such a sample.
   Index GetCenter(const Index& block) const;
   bool IsCenter(const Index& at) const;
-  /// Returns true if interpolation at the previous level's spacing predicts some corners of a
-  /// block, all of them within the allowed error.
+  /// Returns true if interpolation at the previous level's spacing predicts at least one corner of
+  /// a block, and all predicted corners are within the allowed error.
   bool IsVerified(const Index& block) const;
 
   Index Dimensions;

@@ -45,7 +45,7 @@ double GetDiagonal(vtkDataSet* data, vtkIdList* corners)
   return Vectors::SafeLength(Vectors::Difference(upper, lower));
 }
 
-// Smallest distances from the termination surface to the corners of a cell above and below it.
+// Distances from a surface to the nearest corners of a cell above and below the surface.
 struct Gap
 {
   float Above = std::numeric_limits<float>::infinity();
@@ -113,7 +113,8 @@ void TerminationSides::Add(vtkIdType sample, const double x[3], const AdvectionR
     return;
   }
   const double smallest = std::numeric_limits<float>::min();
-  // Rounding may have moved a sample on the field's boundary behind a surface at the boundary.
+  // Treat a distance within the arrival tolerance as 0: rounding may have moved a sample on the
+  // field's boundary past a surface there.
   const bool isOff = result.Time > 0.0 && std::abs(distance) > result.Nearness;
   this->Distances[static_cast<std::size_t>(sample)] = isOff
     ? static_cast<float>(
@@ -128,7 +129,7 @@ std::vector<vtkIdType> TerminationSides::FindCorners(vtkDataSet* samples, const 
   vtkSMPThreadLocal<std::vector<vtkIdType>> found;
   if (cells > 0)
   {
-    // The first call builds data that the dataset caches. Make it before threads start.
+    // The first call builds a cache in the dataset, so it must precede the parallel loop.
     samples->GetCellPoints(0, lists.Local());
   }
   vtkSMPTools::For(0, cells,

@@ -43,7 +43,7 @@ std::string Describe(const int extent[6])
   return text;
 }
 
-/// Copies the coordinates of a partition into the coordinates of the entire grid.
+/// Copies a partition's coordinates along one axis into the coordinates of the whole grid.
 void CopyCoordinates(
   vtkDataArray* from, int first, const int held[2], std::vector<double>& coordinates)
 {
@@ -53,8 +53,8 @@ void CopyCoordinates(
   }
 }
 
-/// Returns a copy without the duplicate flags of cells and points. Duplicate cells are part of the
-/// field, and the samples of one process do not duplicate samples of another.
+/// Returns a copy without the duplicate flags of cells and points. The field includes duplicate
+/// cells, and no sample belongs to more than one process.
 vtkSmartPointer<vtkDataSet> WithoutDuplicates(vtkDataSet* data)
 {
   const auto copy = vtk::TakeSmartPointer(data->NewInstance());
@@ -90,7 +90,7 @@ vtkSmartPointer<vtkDataSet> WithoutDuplicates(vtkDataSet* data)
   return copy;
 }
 
-/// Returns the grid, or a copy without the cells that belong to another process.
+/// Returns the grid, or a copy without duplicate cells if it contains any.
 vtkSmartPointer<vtkUnstructuredGrid> WithoutDuplicateCells(vtkUnstructuredGrid* grid)
 {
   Blanking blanking;
@@ -189,8 +189,8 @@ int DistributedField::FindRank(const int cell[3]) const
 
 int DistributedField::FindRank(vtkIdType cell) const
 {
-  // Finds the last process whose first cell is at or before \a cell. A process without cells has
-  // the same first cell as the next process.
+  // Find the last process whose first cell is at or before \a cell. A process without cells has the
+  // same first cell as the next process.
   return static_cast<int>(
     std::upper_bound(this->FirstCells.begin(), this->FirstCells.end() - 1, cell) -
     this->FirstCells.begin() - 1);
@@ -278,8 +278,8 @@ Error DistributedField::MakeImage(vtkDataSet* data)
   full->SetDirectionMatrix(image->GetDirectionMatrix());
   full->SetExtent(this->WholeExtent.data());
   this->FullGrid = full;
-  // A value is the same in all processes if its maximum and the maximum of its negated values have
-  // the same magnitude.
+  // A value is the same in all processes if its maximum equals its minimum. The minimum is computed
+  // as the maximum of the negated values.
   std::vector<double> numbers(image->GetOrigin(), image->GetOrigin() + 3);
   numbers.insert(numbers.end(), image->GetSpacing(), image->GetSpacing() + 3);
   const double* directions = image->GetDirectionMatrix()->GetData();
@@ -383,8 +383,8 @@ void DistributedField::MakeUnstructuredGrid(vtkIdType few)
   this->PartitionError = this->FindPartitionError();
   std::vector<vtkIdType> points{ this->Data->GetNumberOfPoints() };
   this->Exchange.ReduceSum(points);
-  // A mesh point is usually shared by few processes. If there are far more points than \a few,
-  // more than \a few remain after removal of duplicates.
+  // Usually only a few processes share a point. If the processes' points add up to far more than
+  // \a few, more than \a few remain after removal of duplicates.
   constexpr vtkIdType maximumRatio = 16;
   if (points[0] > few && points[0] <= maximumRatio * few)
   {
@@ -442,8 +442,8 @@ Error DistributedField::UniteBlocks()
 
 Error DistributedField::FindPartitionError()
 {
-  // Data of each process: numbers of cells and points, bounds, one point of the first cell and one
-  // of the last.
+  // Data of each process: numbers of cells and points, bounds, and one corner each of the first and
+  // the last cell.
   constexpr std::size_t size = 14;
   const auto ranks = static_cast<std::size_t>(this->Exchange.GetNumberOfRanks());
   std::vector<double> known(size * ranks, None);

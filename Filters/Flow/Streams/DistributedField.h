@@ -23,8 +23,7 @@ namespace interlume
  * For images, rectilinear grids and structured grids, the whole extent is split into blocks, as VTK
  * does for pieces. A process holds its own cells and one layer of cells around them, like a piece
  * with one ghost level. For unstructured grids, a process holds the piece that the upstream filter
- * generates for it, without duplicates of cells of other pieces. The cells of the pieces are
- * numbered consecutively.
+ * generates for it, without duplicate cells. Cells are numbered consecutively from piece to piece.
  */
 class DistributedField
 {
@@ -44,11 +43,12 @@ public:
   /// Returns the process that owns a cell of an unstructured grid.
   int FindRank(vtkIdType cell) const;
 
-  /// Sets the data of this process, which must cover GetHeld(). Points are counted exactly only if
-  /// this is necessary to decide whether there are more than \a few. If \a isOfBlocks is true, the
-  /// data are the merged blocks of a composite dataset, which differ between processes. A point
-  /// that several processes share then receives the values of the first process that has it.
-  /// Collective. If the data of any process cannot be used, all processes return the same error.
+  /// Sets the data of this process, which must cover GetHeld(). Shared points are identified only
+  /// if this is necessary to decide whether the field has more than \a few points. If
+  /// \a isOfBlocks is true, the data are merged from this process's blocks of a composite dataset.
+  /// A point that several processes share then receives the values of the first process that has
+  /// it. Collective. If the data of any process cannot be used, all processes return the same
+  /// error.
   Error SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks = false);
 
   ///@{
@@ -59,13 +59,13 @@ public:
 
   vtkDataSet* GetData() const { return this->Data; }
   /// Returns the whole grid without arrays. For a structured grid, this is a rectilinear grid with
-  /// the same bounds and number of points. For an unstructured grid, it has two points, at the
-  /// corners of the bounds.
+  /// the same bounds and number of points. For an unstructured grid, it has only two points, at
+  /// opposite corners of the bounds.
   vtkDataSet* GetFullGrid() const { return this->FullGrid; }
   /// Returns the number of cells of the whole grid.
   vtkIdType GetNumberOfCells() const;
-  /// Returns the number of points of the whole grid as counted by SetData. Points that several
-  /// processes share count once.
+  /// Returns the number of points of the whole grid. Shared points count once, unless SetData did
+  /// not need to identify them.
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   const FieldPartition& GetPart() const { return this->Part; }
   RankExchange& GetExchange() { return this->Exchange; }
@@ -86,7 +86,7 @@ private:
   Extent WholeExtent;
   /// For each process, the point extent of the cells that it owns.
   std::vector<Extent> Own;
-  /// Number of the first cell of each process in an unstructured grid, followed by the total number
+  /// Index of the first cell of each process in an unstructured grid, followed by the total number
   /// of cells. Empty for other grids.
   std::vector<vtkIdType> FirstCells;
   vtkIdType NumberOfPoints = 0;

@@ -33,13 +33,13 @@ namespace interlume
 
 namespace
 {
-/// Kind of a message, by its content:
-/// - Start: a start position in a cell of the receiver,
-/// - Search: a position to search for in several processes,
-/// - Finding: the result of a search,
+/// Kinds of messages and their contents:
+/// - Start: the start position of a streamline, in a cell of the receiver,
+/// - Search: a start position for which several processes search,
+/// - Finding: a process's result of a search,
 /// - Continue: the state of a streamline to continue,
 /// - Result: the result of a streamline,
-/// - Aborted: the execution was aborted,
+/// - Aborted: none; the execution was aborted,
 /// - Position: a position at which to evaluate the velocity,
 /// - Velocity: the velocity at a position.
 enum class Kind : int
@@ -65,7 +65,7 @@ struct Request
 struct QueuedStreamline
 {
   Request For;
-  /// Start position if State is null.
+  /// Start position; unused if State is set.
   double X[3] = { 0.0, 0.0, 0.0 };
   std::unique_ptr<AdvectionState> State;
 };
@@ -273,23 +273,23 @@ public:
 private:
   static constexpr bool IsUnstructured = std::is_same_v<Field, PartitionedUnstructuredField>;
 
-  /// Streamlines of this process, requests to it, and their progress.
+  /// Streamlines that this process requested, requests that it received, and their progress.
   struct Job
   {
     const AdvectionOptions& Options;
     const GetPosition& Start;
     const Take& ReleaseResult;
-    /// Streamlines to trace, and positions that other processes requested to search for.
+    /// Streamlines to trace, and positions to search for.
     std::deque<QueuedStreamline> Queue;
     std::vector<QueuedStreamline> Searches;
-    /// Number of finished streamlines of this process.
+    /// Number of finished streamlines that this process requested.
     vtkIdType Ended = 0;
     /// True if the execution was aborted in any process.
     bool IsAborted = false;
   };
 
-  // Maximum number of streamlines between two message exchanges. Without shared memory, transfer of
-  // a long message only progresses while both processes exchange messages.
+  // Maximum number of streamlines between two message exchanges. Without shared memory, a long
+  // message is transferred only while both processes exchange messages.
   const vtkIdType MaximumBatchSize = 512 * std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1);
 
   static void GetHead(const char*& at, Kind& kind, Request& request)
@@ -311,8 +311,8 @@ private:
     }
   }
 
-  /// Sends a start position to the process that owns its cell, or adds it to the batch of this
-  /// process. If several processes may own the cell, they search first.
+  /// Sends a start position to the process that owns its cell, or adds it to \a batch if that is
+  /// this process. If several processes may own the cell, they all search for it first.
   void Begin(vtkIdType i, Job& job, std::vector<QueuedStreamline>& batch, Outbox& sent)
   {
     QueuedStreamline queued;
@@ -428,7 +428,6 @@ private:
     return batch;
   }
 
-  /// Processes the received messages.
   void Receive(const RankExchange::Bytes& received, Job& job, Outbox& sent)
   {
     const char* at = received.data();
@@ -488,7 +487,7 @@ private:
     }
   }
 
-  /// Results of one thread: the messages to send, and the counters.
+  /// Messages to send and counters of one thread.
   struct Done
   {
     Outbox Sent;
@@ -497,8 +496,8 @@ private:
     vtkIdType Transfers = 0;
   };
 
-  /// Traces streamlines until they end or leave the cells of this process. Returns the number of
-  /// finished streamlines of this process.
+  /// Traces streamlines until they end or leave the cells of this process. Returns how many of the
+  /// finished ones this process requested.
   vtkIdType FollowBatch(const AdvectionOptions& options, const std::vector<QueuedStreamline>& batch,
     const Take& take, Outbox& sent)
   {
@@ -591,7 +590,7 @@ std::unique_ptr<DistributedStreamlines> MakeOf(DistributedField& field, Data* da
   auto streamlines = std::make_unique<PartStreamlines<Walker>>(field, owner);
   if (field.IsEmpty())
   {
-    // Even a process without cells needs the grid to find the owner of a start position. It reads
+    // Even a process without cells needs the grid, to find the owner of a start position. It needs
     // no vectors.
     vtkNew<vtkFloatArray> none;
     none->SetNumberOfComponents(3);

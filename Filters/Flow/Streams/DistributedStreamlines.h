@@ -22,9 +22,10 @@ struct FlowReport;
  * @brief   traces streamlines of a field that is partitioned among processes
  *
  * A streamline starts in the process that owns the cell at its start position
- * (PartitionedCellSearch). When it enters a cell of another process, it continues there with its
- * complete state. The result is returned to the process that requested the streamline. Processes do
- * not wait for each other: each traces batches of received streamlines in parallel.
+ * (PartitionedCellSearch). When it enters a cell of another process, that process receives its
+ * complete state and continues it. The result is returned to the process that requested the
+ * streamline. Processes do not wait for each other: each traces batches of received streamlines in
+ * parallel.
  *
  * A step reads only one cell, and cells have the same numbers and positions as in the whole grid.
  * Therefore results are bit-identical to those of a run with a single process that holds the whole
@@ -35,19 +36,19 @@ struct FlowReport;
 class DistributedStreamlines : public Streamlines
 {
 public:
-  /// Builds the object from this process's partition of \a field. Collective. Returns null if \a
-  /// error is set in any process, or if \a field has a PartitionError.
+  /// Creates an object for this process's partition of \a field. Collective. Sets \a error and
+  /// returns null if any process fails. Returns null also if \a field has a PartitionError.
   static std::unique_ptr<DistributedStreamlines> Make(DistributedField& field,
     vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, vtkAlgorithm* owner,
     Error& error);
 
-  /// Finds the domain faces for the walkers if necessary. Collective. Returns their number.
+  /// Finds the domain faces and returns their number. Collective.
   virtual int FindDomainFaces() = 0;
   /// Return the number of steps that this process computed, and the number of streamlines that it
   /// transferred to other processes.
   virtual vtkIdType GetNumberOfSteps() const = 0;
   virtual vtkIdType GetNumberOfTransfers() const = 0;
-  /// Fills in the report values about connections between cells of the whole grid. Collective.
+  /// Sets the report values about mismatched cell faces in the whole grid. Collective.
   virtual void Describe(FlowReport& report) const = 0;
 };
 

@@ -34,12 +34,13 @@ struct FlowReport
   vtkIdType Samples = 0;
   /// Number of samples for each vtkFlowStatus.
   std::array<vtkIdType, vtkFlowStatus::NUMBER_OF_VALUES> Statuses{};
-  /// Number of samples that reached a surface, by TerminationId. The report lists the ids as
+  /// Number of samples that reached a surface, by TerminationId. CopyTo reports the ids as
   /// SurfaceIds.
   std::map<int, vtkIdType> SamplesBySurface;
-  /// Number of samples that reached a surface within ArrivalTolerance at the boundary of the field.
+  /// Number of samples whose streamlines left the field within ArrivalTolerance of a surface.
   vtkIdType ReachedWithinTolerance = 0;
-  /// Numbers of accepted and rejected steps of the explicit and Rosenbrock methods.
+  /// Numbers of accepted and rejected steps of the explicit method, and then of the Rosenbrock
+  /// method.
   vtkIdType Steps = 0;
   vtkIdType RejectedSteps = 0;
   vtkIdType StiffSteps = 0;
@@ -50,9 +51,10 @@ struct FlowReport
   /// Number of samples with at least one Rosenbrock step.
   vtkIdType StiffSamples = 0;
   /// Number of samples that were interpolated from neighboring samples (InterpolateStreamlines),
-  /// and number of advected samples with which interpolation was compared. An error is the distance
-  /// between the end points or, if larger, the time difference multiplied by the largest speed of
-  /// the field. Both are relative to MaximumError times AdvectionTime.
+  /// number of advected samples at which interpolation was checked and found accurate, and the
+  /// largest and mean interpolation error there. The error is the distance between the end points
+  /// or, if larger, the time difference multiplied by SpeedScale, in units of MaximumError times
+  /// AdvectionTime.
   vtkIdType InterpolatedSamples = 0;
   vtkIdType InterpolationChecks = 0;
   double LargestInterpolationError = 0.0;
@@ -78,11 +80,11 @@ struct FlowReport
   /// values. Automatic settings ignore these points.
   double MaximumSpeed = 0.0;
   vtkIdType FillValues = 0;
-  /// Number of faces in an unstructured grid whose neighbors were reused from an earlier execution
-  /// of this or another filter. 0 if the neighbors were computed again.
+  /// Number of faces of an unstructured grid whose neighbors an earlier execution of this or
+  /// another filter found. 0 if this execution found the neighbors itself.
   vtkIdType ReusedFaceMatches = 0;
   /// Number of pairs of faces that match only within a tolerance, and the largest distance between
-  /// corners of such a pair, in cell widths.
+  /// matching corners of such faces, in cell widths.
   vtkIdType ToleranceMatchedFaces = 0;
   double LargestFaceGap = 0.0;
   /// Number of boundary faces that have a cell on the far side, but no matching face, and the cell
@@ -100,15 +102,15 @@ struct FlowReport
   /// Reason why every process holds the whole field instead of a partition. Empty if the field is
   /// partitioned or there is only one process.
   std::string WholeFieldReason;
-  /// Number of streamlines that were read from a checkpoint, and number of checkpoints written. All
-  /// other values include the resumed streamlines.
+  /// Number of streamlines that were read from a checkpoint, and number of checkpoints written. The
+  /// other values in the report include the streamlines from the checkpoint.
   vtkIdType ResumedStreamlines = 0;
   vtkIdType Checkpoints = 0;
   /// Maximum error and minimum speed in use, including automatic values.
   double MaximumError = 0.0;
   double MinimumSpeed = 0.0;
-  /// Component that all vectors counted in FillValues contain, or 0 if there is no such component,
-  /// and the largest speed at all other points.
+  /// Component value that all fill values of the most frequent kind contain, or 0 if there is none,
+  /// and the largest speed at points without fill values.
   double FillValue = 0.0;
   double SpeedScale = 0.0;
   /// Number of points of the field's cells with NaN or infinite vectors.

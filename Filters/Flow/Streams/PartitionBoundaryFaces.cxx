@@ -52,8 +52,8 @@ struct Reach
   }
 };
 
-/// Numbers the positions so that equal positions have the same number. Returns the numbers.
-/// \a representatives receives the index of one position for each number.
+/// Returns an id for each position. Equal positions have the same id. \a representatives receives
+/// the index of one position for each id.
 std::vector<vtkIdType> Merge(
   const std::vector<const double*>& positions, std::vector<vtkIdType>& representatives)
 {
@@ -106,8 +106,8 @@ void PartitionBoundaryFaces::ExchangeFaces(RankExchange& exchange)
     {
       for (std::size_t i = 0; !isSent && i < this->NumberOfOwn; ++i)
       {
-        // A process needs all faces that match its faces, and all faces that match the matching
-        // faces. Therefore the tolerances are added.
+        // A process needs all faces that match its own faces, and all faces that match those in
+        // turn. Therefore add the tolerances.
         boxes.ForEachAt(reaches[i].Center, reaches[i].Tolerance + largestTolerance[0],
           [&](int rank)
           {

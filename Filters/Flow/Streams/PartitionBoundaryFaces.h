@@ -15,9 +15,9 @@
 namespace interlume
 {
 
-/// Face on the boundary of a partition. The member Face is eight times the cell number in the whole
-/// grid plus the face number in the cell. Shape is the shape of the cell, and Cell contains the
-/// positions of its corners.
+/// Face on the boundary of a partition. The member Face is eight times the id of the face's cell in
+/// the whole grid, plus the index of the face in the cell. Shape is the shape of the cell, and Cell
+/// contains the positions of the cell's corners.
 struct OutsideFace
 {
   vtkIdType Face = -1;
@@ -60,17 +60,18 @@ public:
   PartitionBoundaryFaces(
     std::vector<OutsideFace>&& own, const ArrayRows& positions, RankExchange& exchange);
 
-  /// Finds the links of this process's faces to all faces. In a link, Face is the index of the
-  /// matching face (see Get), or -1 if there is no match. If \a isMerged is true, corners with
-  /// equal coordinates are the same point. There must be at least one face.
+  /// Finds the matching faces of this process's faces. In a link, Face is the index of the matching
+  /// face (see Get), or -1 if there is no match. If \a isMerged is true, corners with equal
+  /// coordinates are the same point. There must be at least one face.
   void FindLinks(bool isMerged);
 
   const OutsideFace& Get(vtkIdType i) const { return this->Faces[static_cast<std::size_t>(i)]; }
   const std::vector<OutsideFace>& GetAll() const { return this->Faces; }
   /// Returns the links of all faces. Only the links of this process's faces are valid.
   const std::vector<FaceLinks::Link>& GetLinks() const { return this->Links; }
-  /// Returns how many faces of this process match at different positions, and by how much. Each
-  /// pair is counted only in the process that owns the face with the lower number.
+  /// Returns the number of this process's faces whose positions differ from those of the matching
+  /// faces, and the largest difference. Each pair is counted only in the process that owns the face
+  /// with the lower number.
   FaceLinks::MatchGaps GetMatchGaps() const;
 
 private:

@@ -35,8 +35,8 @@ public:
   /// the cell index.
   static constexpr bool IsSearched = false;
 
-  /// Builds the field from the data of \a part, as BaseField::Build does. Its speeds are undefined
-  /// until SetSpeeds is called.
+  /// Builds the field from the data of this process, as BaseField::Build does. Its speeds are
+  /// undefined until SetSpeeds is called.
   template <typename Data>
   Error BuildPart(Data* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays,
     const FieldPartition& part)

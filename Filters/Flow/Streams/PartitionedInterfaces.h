@@ -94,7 +94,7 @@ struct PartitionedInterfaces
       });
     std::vector<vtkIdType> number{ std::count(isOpen.begin(), isOpen.end(), 1) };
     const auto open = std::find(isOpen.begin(), isOpen.end(), 1);
-    // The minimum is computed as the maximum of the negated values.
+    // Compute the minimum as the maximum of the negated values.
     std::vector<double> minimum{ open == isOpen.end()
         ? -VTK_DOUBLE_MAX
         : -static_cast<double>(faces[static_cast<std::size_t>(open - isOpen.begin())] / 8) };

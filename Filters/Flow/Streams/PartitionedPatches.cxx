@@ -38,8 +38,8 @@ void GetAll(const char*& at, std::vector<Value>& values)
   }
 }
 
-/// Numbers the points of all processes so that equal points have the same number. \a firsts
-/// contains the index of each process's first point.
+/// Returns an id for each point of all processes. Points that are the same have the same id.
+/// \a firsts contains the index of each process's first point.
 std::vector<vtkIdType> Merge(
   const std::vector<std::array<double, 3>>& positions, const std::vector<vtkIdType>& firsts)
 {
@@ -54,7 +54,7 @@ std::vector<vtkIdType> Merge(
   { return std::upper_bound(firsts.begin(), firsts.end(), i) - firsts.begin(); };
   for (std::size_t begin = 0; begin < order.size();)
   {
-    // Handles the points at one position, which are sorted by process.
+    // Process all points at one position. They are sorted by process.
     std::size_t end = begin;
     std::vector<vtkIdType> known;
     std::size_t ofRank = 0;

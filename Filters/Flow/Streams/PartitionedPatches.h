@@ -17,11 +17,11 @@ namespace interlume
  * @class   PartitionedPatches
  * @brief   finds the patches of the boundary of a partitioned grid
  *
- * A patch may extend over several processes, and its number follows from its first face in the
- * whole grid. Therefore all processes receive the entire boundary, which is small compared to the
- * grid. Points of two processes are the same if their coordinates are bit-identical. If a process
- * has several points at one position, the n-th of these points is the same as the n-th point at
- * this position in any other process.
+ * A patch may extend over several processes, and its number depends on its first face in the whole
+ * grid. Therefore all processes receive the entire boundary, which is small compared to the grid.
+ * Points of two processes are the same if their coordinates are bit-identical. If a process has
+ * several points at one position, the n-th of them is the same as the n-th point at this position
+ * in any other process.
  */
 namespace PartitionedPatches
 {
@@ -30,7 +30,7 @@ struct Corners
   int Number = 0;
   vtkIdType Points[4] = { 0, 0, 0, 0 };
 };
-/// Sorted faces, their corners, and the positions of the points.
+/// Sorted faces, their corners, and the positions of their points.
 struct Surface
 {
   std::vector<vtkIdType> Faces;

@@ -15,10 +15,10 @@ namespace interlume
  * @brief   partition of a field on a structured grid
  *
  * The cell at a position cannot be computed directly. All processes whose bounds contain the
- * position search their own cells. An order common to all processes defines the best result
- * (CellSearchResult). A seam may lead to a cell of any process. To find seams, faces on the
- * boundary of the whole grid are sent to all processes with boundary faces at the same position,
- * and these processes compare the corners.
+ * position search their own cells. All processes order the results in the same way and use the
+ * first (CellSearchResult). A seam may lead to a cell of any process. To find seams, faces on the
+ * boundary of the whole grid are sent to all processes that may have boundary faces at the same
+ * position, and these processes compare the corners.
  */
 class PartitionedStructuredField : public PartitionedField<StructuredFlowField>
 {

@@ -23,8 +23,8 @@ namespace interlume
  * The process holds only its own cells. Cells are numbered as in the whole grid: first the cells of
  * process 0, then the cells of process 1, and so on. Links to cells of other processes are found by
  * comparing the corners of boundary faces (PartitionBoundaryFaces). A link contains all that is
- * necessary to cross to the cell: its number, its shape and the relative orientation of the faces.
- * Cells are searched as on structured grids (PartitionedCellSearch).
+ * necessary to enter the linked cell: its number, its shape and the relative orientation of the
+ * faces. Cells are searched as on structured grids (PartitionedCellSearch).
  */
 class PartitionedUnstructuredField : public UnstructuredFlowField
 {
@@ -37,7 +37,7 @@ public:
     const std::vector<vtkDataArray*>& arrays, const FieldPartition& part);
 
   /// Builds the cell tree and finds the links. Call it after BuildPart has succeeded in all
-  /// processes. Collective. Returns an error if the whole field cannot be used.
+  /// processes. Collective. Returns an error if no process has three-dimensional cells.
   Error Join(RankExchange& exchange);
 
   /// Counts the speeds at points such that all processes together count each point once.
@@ -64,7 +64,7 @@ public:
   int FindRank(const DistributedField& ranks, vtkIdType cell) const { return ranks.FindRank(cell); }
 
   ///@{
-  /// Replace the members of UnstructuredFlowField. Locations contain cell numbers of the whole
+  /// These members hide those of UnstructuredFlowField. Locations contain cell numbers of the whole
   /// grid. GetHeldCellLocation takes the cell number in this partition.
   CellLocation GetCellLocation(vtkIdType cell) const
   {
@@ -105,7 +105,7 @@ public:
   ///@}
 
 private:
-  /// Cell of another process, with only its number and type, and the link to it.
+  /// Number and type of a cell of another process, and the link to the cell.
   struct RemoteCell
   {
     CellLocation Cell;
@@ -124,14 +124,14 @@ private:
   std::vector<RemoteCell> RemoteCells;
   FaceLinks::MatchGaps Gaps;
   PartitionedInterfaces Interfaces;
-  // Points that a process of lower rank also has.
+  // Points of boundary faces that a process of lower rank also has.
   std::vector<vtkIdType> Repeated;
   std::unique_ptr<BoundaryPatches> Patches;
 };
 
 /**
  * @class   UnstructuredPartWalker
- * @brief   walker of a partition of an unstructured grid, with the patches of the field
+ * @brief   walker of a partition of an unstructured grid that uses the patches of the field
  */
 class UnstructuredPartWalker : public UnstructuredWalkerOf<PartitionedUnstructuredField>
 {

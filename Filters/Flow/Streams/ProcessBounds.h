@@ -20,7 +20,7 @@ public:
   /// process, or null if it has no data. Collective.
   void Build(RankExchange& exchange, const double* own)
   {
-    // Lower bounds are negated, so that maxima combine both lower and upper bounds.
+    // Negate the lower bounds, so that ReduceMax applies to lower and upper bounds.
     const auto ranks = static_cast<std::size_t>(exchange.GetNumberOfRanks());
     std::vector<double> ends(6 * ranks, -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; own && i < 6; ++i)

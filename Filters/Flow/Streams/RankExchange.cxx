@@ -120,8 +120,8 @@ void RankExchange::Run(const Work& work)
   Block block;
   diy::mpi::communicator communicator = vtkDIYUtilities::GetCommunicator(this->Controller);
   diy::Master master(communicator, 1);
-  // Links all processes: a streamline continues in an adjacent partition, but its start and its
-  // result may belong to any process.
+  // Link all processes: a streamline continues in an adjacent partition, but any process may need
+  // its start position or its result.
   auto* link = new diy::Link;
   for (int rank = 0; rank < this->NumberOfRanks; ++rank)
   {

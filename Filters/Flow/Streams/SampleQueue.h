@@ -12,9 +12,9 @@ namespace interlume
 {
 
 /**
- * Parallel loop for threads that process several numbered items at a time. Whenever an item is
- * done, the thread starts another one. If each thread had a fixed range of items, as in Batches, it
- * would have few items to process simultaneously at the end of the range.
+ * Parallel loop over numbered items, for threads that process several items at a time. Whenever an
+ * item is done, the thread starts another one. With a fixed range of items for each thread, as in
+ * Batches, a thread would process fewer items at a time near the end of its range.
  */
 namespace SampleQueue
 {
@@ -54,8 +54,8 @@ void RunRange(vtkIdType first, vtkIdType all, Work&& work)
 }
 
 /**
- * Calls \a work(next) in each thread. next() returns an unprocessed item of [0, number), or -1 at
- * the end of each batch. For progress and abort see Batches::Run.
+ * Divides [0, number) into batches and calls RunRange for each. For progress and abort see
+ * Batches::Run.
  */
 template <typename Work>
 bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, Work&& work)

@@ -30,14 +30,14 @@ struct SamplingReport
   /// Number of cells whose centers were compared. Each has at least one corner in the field.
   vtkIdType Checks = 0;
   /// Number of compared cells whose corners differ in FlowStatus or TerminationId, or lie on both
-  /// sides of a surface across which time is discontinuous. In renderings, the boundary in such a
-  /// cell is off by up to half a cell.
+  /// sides of a surface across which time is discontinuous. In renderings, the boundary between
+  /// different values in such a cell is displaced by up to half a cell.
   vtkIdType SplitCells = 0;
-  /// Number of centers whose status or surface differs from the majority of the corners.
+  /// Number of centers whose status or surface differs from that of most corners.
   vtkIdType MismatchedCenters = 0;
-  /// Number of the remaining centers that reached a surface. The members below are their errors: u
-  /// and v in units of TerminationUV, and AdvectionTime. The error of a periodic parameter is at
-  /// most half a period.
+  /// Number of the remaining centers that reached a surface. The members below are the errors at
+  /// these centers, in u and v in units of TerminationUV, and in AdvectionTime. The error of a
+  /// periodic parameter is at most half a period.
   vtkIdType Compared = 0;
   Error U;
   Error V;

@@ -23,9 +23,9 @@ namespace
 using Bytes = RankExchange::Bytes;
 
 /// Sends points to the processes of higher rank that may share them. put(bytes, point) appends the
-/// data of a point. take(at, rank, point) reads these data and returns their end. For each received
-/// point, take is called once with point -1, and then with each point of this process at the same
-/// position.
+/// data of a point to a message. take(at, rank, point) reads these data and returns a pointer past
+/// their end. For each received point, take is called once with point -1, and then with each point
+/// of this process at the same position.
 template <typename Put, typename Take>
 void ExchangePoints(const std::vector<vtkIdType>& points, const ArrayRows& positions,
   RankExchange& exchange, Put&& put, Take&& take)

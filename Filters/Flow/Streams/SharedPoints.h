@@ -23,9 +23,9 @@ namespace SharedPoints
 std::vector<vtkIdType> FindRepeated(
   const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange);
 
-/// Replaces the tuples of a shared point with the tuples of the process with the lowest rank that
-/// has the point. The arrays must have contiguous tuples. All processes with points must pass the
-/// same arrays in the same order. Collective.
+/// Replaces the tuples of each shared point with those of the process with the lowest rank that has
+/// the point. The arrays must have contiguous tuples. All processes with points must pass the same
+/// arrays in the same order. Collective.
 void CopyFromFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
   vtkIdType numberOfPoints, RankExchange& exchange);
 }

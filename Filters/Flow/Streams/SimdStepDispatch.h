@@ -10,8 +10,8 @@ namespace interlume
 {
 
 /**
- * SimdDormandPrince::Take on images, on rectilinear grids and on partitions of both, compiled for
- * the instruction set of the current processor.
+ * SimdDormandPrince::Take for images, rectilinear grids and partitions of both, compiled for the
+ * instruction set of the current processor.
  */
 namespace SimdStepDispatch
 {

@@ -13,8 +13,8 @@ namespace interlume
  * @class   StageContext
  * @brief   data shared by the stages of an execution of vtkImplicitFlowField
  *
- * SampleIntegration sorts and integrates samples. FarSideStage traces samples near a surface as if
- * they were on its far side. CellRefinement adds samples, after which both stages run again.
+ * SampleIntegration advects the samples. FarSideStage advects samples near a surface as if they
+ * were on its far side. CellRefinement adds samples, after which both stages run again.
  * SamplingCheck measures the interpolation error between samples. Each stage writes its arrays to
  * the samples and can be aborted.
  */

@@ -45,7 +45,8 @@ public:
   };
   virtual std::vector<Velocity> GetVelocities(vtkIdType number, const GetPosition& position) = 0;
 
-  /// Returns the properties of the whole field.
+  /// Returns the field, or this process's partition of it. Speeds and bounds are those of the whole
+  /// field.
   virtual const FlowField& GetField() const = 0;
 };
 

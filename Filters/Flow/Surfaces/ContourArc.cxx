@@ -17,8 +17,8 @@ namespace
 {
 using Parameters = LevelContours::Parameters;
 
-// Parameters of a contour, the corresponding world positions, and whether the surface has a point
-// at each.
+// Points of a contour: their parameters, their world positions, and whether the surface has a point
+// at these parameters.
 struct Line
 {
   std::vector<Parameters> Points;
@@ -73,7 +73,7 @@ void Rotate(Line& line, std::size_t first)
   line = std::move(rotated);
 }
 
-// Finds the location nearest to any of the positions. All points of the line need positions.
+// Finds the location nearest to any of the positions. All points of the line must have positions.
 Location FindNearest(const Line& line, const std::vector<glm::dvec3>& positions)
 {
   Location nearest;
@@ -136,8 +136,8 @@ ContourArc MakeArc(Line line, bool isClosed)
   return arc;
 }
 
-// Creates the open arc of a line. It begins at the end that is closer, along the line, to the start
-// points.
+// Creates an open arc from a line. The arc begins at the end of the line that is closer, along the
+// line, to the location nearest to the start points.
 ContourArc MakeOpenArc(Line line, const std::vector<glm::dvec3>& startPoints)
 {
   if (!startPoints.empty())

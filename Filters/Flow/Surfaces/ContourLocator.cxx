@@ -89,7 +89,7 @@ ContourLocator::Location ContourLocator::Find(const Parameters& location) const
     center[direction] =
       this->WrapBin(GetBin(std::max(-1.0, std::min(location[direction], 2.0))), direction);
   }
-  // Search rings of bins until all other bins are farther than the nearest position found.
+  // Search rings of bins until all remaining bins are farther than the nearest position found.
   for (int ring = 0; ring <= NumberOfBins; ++ring)
   {
     for (int j = center[1] - ring; j <= center[1] + ring; ++j)

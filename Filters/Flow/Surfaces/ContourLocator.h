@@ -23,7 +23,7 @@ public:
   {
     /// At least two points, as in LevelContours.
     std::vector<Parameters> Points;
-    /// Arc length of each point from the first one.
+    /// Arc length from the first point to each point.
     std::vector<double> Lengths;
   };
 

@@ -26,7 +26,7 @@ LevelContours::LevelContours(Function function, int resolution, std::array<bool,
 
 double LevelContours::GetValue(int i, int j) const
 {
-  // Both sides of a seam share the node.
+  // The nodes on both sides of a seam are the same.
   i = this->IsPeriodic[0] && i == this->Resolution ? 0 : i;
   j = this->IsPeriodic[1] && j == this->Resolution ? 0 : j;
   return this->Values[static_cast<std::size_t>(j) * (this->Resolution + 1) + i];
@@ -112,8 +112,9 @@ void LevelContours::FollowSquare(int i, int j, double level, std::vector<int>& n
   }
   bool isInside[4];
   std::transform(corners, corners + 4, isInside, [level](double value) { return value >= level; });
-  // Corners inside have values at or above the level. A contour with the inside on its left enters
-  // through edges from an inside corner to an outside corner, in counterclockwise order.
+  // Inside corners have values at or above the level. Contours have the inside on their left.
+  // Therefore they enter the square through edges from an inside corner to an outside corner, in
+  // counterclockwise order.
   int starts[2];
   int number = 0;
   for (int corner = 0; corner < 4; ++corner)

@@ -27,8 +27,8 @@ public:
   struct Contour
   {
     /// Points of the contour, with values at or above the level on its left. Periodic parameters
-    /// may exceed [0, 1]. The last point of a closed contour equals the first, except for whole
-    /// periods.
+    /// may be outside [0, 1]. The last point of a closed contour equals the first, or differs from
+    /// it by whole periods.
     std::vector<Parameters> Points;
     bool IsClosed = false;
   };
@@ -53,7 +53,7 @@ private:
   int GetIndex(Edge edge) const;
   Edge GetEdge(int index) const;
   Parameters GetCrossing(Edge edge, double level) const;
-  /// Finds for each edge the next edge of its contour, or -1.
+  /// Returns, for each edge, the next edge along its contour, or -1 if there is none.
   std::vector<int> FindNext(double level) const;
   void FollowSquare(int i, int j, double level, std::vector<int>& next) const;
 

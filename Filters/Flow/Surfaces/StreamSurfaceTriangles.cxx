@@ -104,7 +104,7 @@ std::array<StreamSurfaceTriangles::Corner, 3> StreamSurfaceTriangles::Unwrap(std
       ? this->Locations[triangle[c]]
       : this->Locate(level, triangle[c], -1);
   }
-  // Use the contour of two corners, or of the first corner if all contours differ.
+  // Use the contour that two corners share, or the first corner's contour if all three differ.
   const int curve = corners[1].Location.Curve == corners[2].Location.Curve
     ? corners[1].Location.Curve
     : corners[0].Location.Curve;

@@ -33,7 +33,7 @@ public:
   {
     int Id = 0;
     double Value = 0.0;
-    /// ContourId of the level's first contour; the others follow.
+    /// ContourId of the level's first contour. The ids of the level's contours are consecutive.
     int FirstContour = 0;
     std::unique_ptr<ContourLocator> Locator;
   };
@@ -44,7 +44,7 @@ public:
     bool IsClosed;
   };
 
-  /// Points of the output: the points of the input, followed by copies.
+  /// Points of the output: the points of the input, followed by copies of some of them.
   struct Points
   {
     std::vector<vtkIdType> Sources;
@@ -54,8 +54,8 @@ public:
     vtkIdType Add(vtkIdType source, int contour, double length);
   };
 
-  /// Reads the triangles, the arrays and the levels in use. Returns an error if they cannot be
-  /// used.
+  /// Reads the triangles and arrays, and finds the levels. Returns an error if the input is
+  /// invalid.
   Error Read(vtkPointSet* input);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->LevelOfPoint.size()); }
@@ -65,13 +65,13 @@ public:
   void Locate(vtkIdType point);
 
   /**
-   * Creates the triangles of the output. Copies of points ensure that the corners of each triangle
-   * lie on one contour, and on one side of the contour's start. The position of a copy is the
-   * original's position plus the contour's length, or is on another contour.
+   * Creates the triangles of the output. Points are copied so that the corners of each triangle lie
+   * on the same contour, and no triangle extends across the start of a closed contour. A copy is on
+   * a different contour from the original, or its position is greater by the contour's length.
    */
   Points MakeTriangles(vtkCellArray* cells) const;
 
-  /// Levels. The caller sets their contours between Read and Locate.
+  /// Levels that Read found. The caller must set their contours before it calls Locate.
   std::vector<Level> Levels;
   /// Contours by ContourId.
   std::vector<Contour> Contours;
@@ -88,12 +88,13 @@ private:
   int GetContourId(int level, int curve) const;
   /// Finds the position of a point on a curve of a level; on any curve if \a curve is -1.
   ContourLocator::Location Locate(int level, vtkIdType point, int curve) const;
-  /// Returns the corners of a triangle on one contour, unwrapped.
+  /// Returns the positions of a triangle's corners on one contour, unwrapped at its start.
   std::array<Corner, 3> Unwrap(std::size_t triangle) const;
 
   ImplicitFlowArrays Arrays;
   std::vector<Triangle> Triangles;
-  // Index of the level of each triangle, and of each point (from its first triangle; -1 if unused).
+  // Index of each triangle's level, and of each point's level: the level of the first triangle that
+  // uses the point, or -1 if there is none.
   std::vector<int> LevelOfTriangle;
   std::vector<int> LevelOfPoint;
   // Position of each point on the contours of its level.

@@ -18,7 +18,7 @@ struct AxialFrame
   glm::dvec3 Axis{ 0.0, 0.0, 1.0 };
 
   /// Sets an axis of any nonzero length. X and Y are computed as in T. Duff et al., "Building an
-  /// orthonormal basis, revisited", JCGT 6(1), 2017. For the axis z, they are x and y.
+  /// orthonormal basis, revisited", JCGT 6(1), 2017. If the axis is z, they are x and y.
   void SetAxis(const glm::dvec3& axis);
 
   /// Sets an axis and a perpendicular X, both of length 1.
@@ -30,7 +30,7 @@ struct AxialFrame
   /// Returns a X + b Y + c Axis.
   glm::dvec3 GetVector(double a, double b, double c) const;
 
-  /// Returns the angle from X toward Y in turns, in [0,1), or 0 for a zero vector.
+  /// Returns the angle of vector (x, y) from X toward Y in turns, in [0,1); 0 for a zero vector.
   static double GetTurn(double x, double y);
 };
 

@@ -39,7 +39,8 @@ private:
   struct Node
   {
     Box Bounds;
-    /// Items of a leaf. An inner node has no items and its children are at First and First + 1.
+    /// Range of a leaf's items. In an inner node, NumberOfItems is 0, and nodes First and First + 1
+    /// are the children.
     int First;
     int NumberOfItems;
   };

@@ -68,8 +68,8 @@ CrossFlow::CrossFlow(const double axis[3], const double frameVelocity[3])
 {
   SetUnit(axis, this->Normal);
   std::copy_n(frameVelocity, 3, this->FrameVelocity);
-  // Use the coordinate axis with the largest angle to the normal. For a normal along a coordinate
-  // axis, the directions are exactly the other two axes.
+  // Start from the coordinate axis with the largest angle to the normal. If the normal is along a
+  // coordinate axis, the directions are exactly along the other two axes.
   int perpendicular = 0;
   for (int i = 1; i < 3; ++i)
   {

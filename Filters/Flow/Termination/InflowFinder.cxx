@@ -40,8 +40,8 @@ struct Cell
   double Speed = 0.0;
 };
 
-/// Measures a cell and adds the vectors of its points to \a speeds. Flows are measured after
-/// lengths are multiplied by \a scale.
+/// Computes the bounds, flow and speed of a cell, and adds the vectors at its corners to \a speeds.
+/// In the flow, lengths are multiplied by \a scale.
 Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed, SpeedScale& speeds)
 {
   Cell cell;
@@ -73,8 +73,8 @@ Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed, Speed
   return cell;
 }
 
-/// Returns a pseudo-random cell of a group of \a stride cells. Random choices avoid aliasing with
-/// grid rows.
+/// Returns a pseudo-random cell from a group of \a stride consecutive cells. A random choice avoids
+/// aliasing with grid rows.
 vtkIdType Pick(vtkIdType group, vtkIdType stride, vtkIdType cells)
 {
   const std::uint64_t hash = static_cast<std::uint64_t>(group) * 0x9e3779b97f4a7c15ull;
@@ -117,7 +117,7 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
       cells.push_back(Measure(loaded, scale, isReversed, speeds));
     }
   }
-  // Fill values would dominate the flow.
+  // Remove cells with fill values, which would dominate the flow.
   const FillValues fill = speeds.FindFillValues();
   if (fill.Number > 0)
   {
@@ -128,7 +128,7 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
   return cells;
 }
 
-/// Flow along and against an axis, per slab.
+/// Flow through each slab along an axis, and against it.
 class Profile
 {
 public:
@@ -159,7 +159,8 @@ public:
     return *std::max_element(this->Flows[sense].begin(), this->Flows[sense].end());
   }
 
-  /// Returns the center of the first slab, in flow direction, with enough flow.
+  /// Returns the center of the first slab, in flow direction, with at least MinimumFraction of the
+  /// largest flow.
   double FindEntry(int sense) const
   {
     const double minimum = MinimumFraction * this->GetMaximum(sense);
@@ -180,7 +181,7 @@ private:
 
   double Low;
   double High;
-  /// Flows along the axis and against it.
+  /// Flow through each slab along the axis, and against it.
   std::array<std::array<double, NumberOfSlabs>, 2> Flows{};
 };
 }

@@ -14,8 +14,8 @@ namespace interlume
  *
  * The flow of a cell along an axis is its mean velocity along the axis times its volume, divided by
  * its extent along the axis. Flows along and against each axis are summed over slabs. The axis and
- * direction with the largest flow through a slab are chosen. The plane is in the first slab, in
- * flow direction, with a sizeable fraction (MinimumFraction) of that flow. Blanked and non-finite
+ * direction with the largest flow through a slab are chosen. The plane is at the center of the
+ * first slab, in flow direction, with at least MinimumFraction of that flow. Blanked and non-finite
  * cells are ignored. In a large field, only an evenly distributed subset of the cells is used.
  */
 class InflowFinder
@@ -30,8 +30,8 @@ public:
   /// Returns the position of the plane along the axis.
   double GetPosition() const { return this->Position; }
   /**
-   * Return the center and the half-widths of the bounds of the cells with flow through the plane,
-   * along the two axes after GetAxis() in cyclic order.
+   * Return the center and the half-widths of the inflow region: the bounding rectangle of the cells
+   * with flow through the plane. The two elements are for the axes after GetAxis() in cyclic order.
    */
   const double* GetCenter() const { return this->Center; }
   const double* GetHalfWidth() const { return this->HalfWidth; }

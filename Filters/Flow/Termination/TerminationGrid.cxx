@@ -16,12 +16,14 @@ namespace interlume
 
 namespace
 {
-// Number of bisections between a node inside the part and a node outside.
+// Number of bisection steps that locate the border between a node inside the part and a node
+// outside.
 constexpr int Halvings = 40;
-// Distance inside the part, in parameter space, at which the normal of an edge shared with another
-// part is evaluated.
+// On an edge shared with another part, the normal is evaluated slightly inside the part. This is
+// the shift, as a fraction of the distance to the center of parameter space.
 constexpr double Inset = 1e-6;
-// Sine below which a triangle is degenerate, for example at the pole of a sphere.
+// Minimum ratio of a triangle's height to its longest side. Below it, the triangle is degenerate,
+// for example at the pole of a sphere.
 constexpr double Flatness = 1e-12;
 }
 
@@ -103,7 +105,7 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   glm::dvec3 sides[3] = { Vectors::Difference(second.Position, first.Position),
     Vectors::Difference(third.Position, first.Position),
     Vectors::Difference(third.Position, second.Position) };
-  // Scale to a length of about 1 so that squared areas do not overflow.
+  // Scale lengths to about 1 so that squared areas do not overflow.
   const double scale = MultilinearCell::GetScale(
     std::max(Vectors::InfinityNorm(sides[0]), Vectors::InfinityNorm(sides[1])));
   double longest = 0.0;
@@ -130,8 +132,8 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
 
 void TerminationGrid::CutCell(int i, int j)
 {
-  // The clipped cell is a polygon of corners inside the part and border crossings of the cell's
-  // edges.
+  // The vertices of the clipped cell are its corners inside the part and the border crossings on
+  // its edges.
   std::vector<vtkIdType> polygon;
   const auto addNode = [this, &polygon](int column, int row)
   {

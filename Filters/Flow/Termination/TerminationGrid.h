@@ -36,7 +36,7 @@ public:
 
   std::vector<Point> Points;
   std::vector<std::array<vtkIdType, 3>> Triangles;
-  /// Number of points on the border of the part that are not grid nodes.
+  /// Number of points where grid edges cross the border of the part.
   vtkIdType BorderPoints = 0;
   /// Number of triangles skipped because they are degenerate.
   vtkIdType FlatTriangles = 0;

@@ -41,13 +41,14 @@ struct TripleHash
   }
 };
 
-// Describes a point or a cell for messages.
+// Returns a name for messages, for example "cell 7 of the mesh".
 std::string Name(const char* what, vtkIdType id)
 {
   return std::string(what) + " " + std::to_string(id) + " of the mesh";
 }
 
-// Scales the polygon to a size of about 1, because VTK's triangulation multiplies squared lengths.
+// Scales the polygon to a size of about 1, so that products of squared lengths in VTK's
+// triangulation do not overflow.
 void ScaleToUnitSize(vtkPolygon* polygon)
 {
   double bounds[6];
@@ -159,8 +160,8 @@ void TerminationTriangles::Weld(
     this->Bounds[3] - this->Bounds[2], this->Bounds[5] - this->Bounds[4]);
   this->Scale = MultilinearCell::GetScale(diagonal);
   this->Diagonal = this->Scale * diagonal;
-  // Vertices are binned in a grid whose cells are twice as wide as the reach. Vertices within reach
-  // of a point are in its grid cell or in the adjacent cells on the point's nearer sides.
+  // Vertices are binned in a grid of cells twice as wide as the reach. The vertices within reach of
+  // a point are in 8 cells: the point's cell and the nearer neighbors along the axes and diagonals.
   const double reach = tolerance * this->Diagonal;
   std::unordered_map<Triple, std::vector<int>, TripleHash> grid;
   this->VertexIds.assign(number, -1);

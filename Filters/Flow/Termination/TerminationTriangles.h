@@ -25,16 +25,16 @@ namespace interlume
  * Therefore a texture seam is not a border of the surface. Each corner keeps the texture
  * coordinates of its point.
  *
- * Vertices are points multiplied by Scale, a power of 2 that scales the diagonal to about 1. This
- * avoids overflow of products of four lengths.
+ * Vertices are points multiplied by Scale, a power of 2 that scales the diagonal of the bounds to
+ * about 1. This avoids overflow of products of four lengths.
  */
 class TerminationTriangles
 {
 public:
   /**
    * Reads the dataset. \a tolerance is relative to the diagonal of the bounds. In periodic
-   * directions, the texture coordinates of a triangle are shifted to within half a period of its
-   * first corner. Returns an error if the dataset is not a surface with texture coordinates.
+   * directions, the texture coordinates of a triangle are shifted to within half a period of those
+   * of its first corner. Returns an error if the dataset is not a surface with texture coordinates.
    */
   Error Take(vtkPolyData* data, double tolerance, const bool isPeriodic[2]);
 
@@ -51,9 +51,9 @@ public:
   std::vector<Triangle> Triangles;
   std::vector<glm::dvec3> Vertices;
   double Scale = 1.0;
-  /// First point of each vertex.
+  /// Id of the first point of each vertex.
   std::vector<vtkIdType> PointIds;
-  /// Bounds of the used points.
+  /// Bounds of the points that belong to triangles.
   double Bounds[6];
   /// Diagonal of the bounds, multiplied by Scale.
   double Diagonal = 0.0;
@@ -66,7 +66,7 @@ private:
   Error FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons);
   void Weld(vtkPolyData* data, const std::vector<bool>& isUsed, double tolerance);
 
-  /// Vertex of each point, or -1 if the point is not used.
+  /// Index of the vertex of each point, or -1 if the point is not used.
   std::vector<int> VertexIds;
 };
 

@@ -15,7 +15,6 @@ namespace interlume
 
 namespace
 {
-// A triangle in texture space.
 struct TextureTriangle
 {
   explicit TextureTriangle(const TerminationTriangles::Triangle& triangle)
@@ -63,8 +62,8 @@ bool TextureSearch::FindPoint(const double uv[2], double x[3]) const
   const double tolerance = vtkTerminationSurface::BorderTolerance;
   double limit = tolerance * tolerance;
   bool isFound = false;
-  // Triangles across a seam extend below 0 or above 1, so search at coordinates shifted by a
-  // period, too.
+  // Triangles across a seam extend below 0 or above 1, so also search at coordinates shifted by one
+  // period.
   const int reach[2] = { this->IsPeriodic[0] ? 1 : 0, this->IsPeriodic[1] ? 1 : 0 };
   for (int i = -reach[0]; i <= reach[0]; ++i)
   {

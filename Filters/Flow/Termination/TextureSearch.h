@@ -22,7 +22,7 @@ public:
   void Build(const TerminationTriangles* mesh, const bool isPeriodic[2]);
 
   /// Finds the point with the given texture coordinates. Returns false if no triangle is within
-  /// vtkTerminationSurface::BorderTolerance.
+  /// vtkTerminationSurface::BorderTolerance of them.
   bool FindPoint(const double uv[2], double x[3]) const;
 
 private:

@@ -124,8 +124,8 @@ double TriangleDistance::GetSignedDistance(
 {
   if (foot.Feature == ClosestTrianglePoint::FACE)
   {
-    // The distance from the face's plane is exact for small distances, too, and smooth enough for
-    // root finding.
+    // Close to the face, the distance from its plane is more accurate than the square root of
+    // SquaredDistance. It is also smooth enough for root finding.
     return glm::dot(x - this->Mesh->GetCorner(triangle, 0), this->FaceNormals[triangle]);
   }
   const double distance = std::sqrt(foot.SquaredDistance);

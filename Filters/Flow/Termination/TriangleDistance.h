@@ -16,9 +16,10 @@ namespace interlume
  * @class   TriangleDistance
  * @brief   signed distance from oriented triangles
  *
- * The sign is determined by the normal of the face, edge or vertex of the nearest point. Edge and
- * vertex normals are angle-weighted sums of adjacent face normals: J. A. Baerentzen and H. Aanaes,
- * "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005.
+ * The sign is determined by the normal of the face, edge or vertex that contains the nearest point.
+ * Edge and vertex normals are angle-weighted sums of adjacent face normals: J. A. Baerentzen and H.
+ * Aanaes, "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3),
+ * 2005.
  */
 class TriangleDistance
 {
@@ -30,7 +31,7 @@ public:
   /// unchanged if there are no triangles.
   int FindNearest(const glm::dvec3& x, ClosestTrianglePoint& foot) const;
 
-  /// Returns the unit normal at a foot in a triangle.
+  /// Returns the unit normal at the point \a foot of a triangle.
   const glm::dvec3& GetNormal(int triangle, const ClosestTrianglePoint& foot) const;
   bool IsOnBorder(int triangle, const ClosestTrianglePoint& foot) const;
 

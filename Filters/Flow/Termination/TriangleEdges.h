@@ -42,13 +42,13 @@ public:
 
 private:
   /// Computes which triangles must be flipped in the connected part that contains triangle \a
-  /// first. Returns an error as Orient() does.
+  /// first. Returns the same error as Orient().
   Error OrientPart(
     const TerminationTriangles& mesh, int first, std::vector<signed char>& turns) const;
 
   /// Three edge ids per triangle.
   std::vector<int> EdgeIds;
-  /// Number of triangles of each edge, and the first two triangles.
+  /// Number of triangles at each edge, and the indices of the first two of them.
   std::vector<int> Faces;
   std::vector<std::array<int, 2>> Triangles;
 };

@@ -15,10 +15,10 @@ namespace interlume
 
 namespace
 {
-// Fraction of the line's size within which two points coincide.
+// Two points coincide if their distance is at most this fraction of the line's size.
 constexpr double CoincidenceTolerance = 1e-12;
-// Minimum of 1 plus the cosine of the angle between consecutive segments. Below it, the line turns
-// back on itself.
+// Minimum of 1 plus the cosine of the angle between the directions of consecutive segments. Below
+// it, the line turns back on itself.
 constexpr double ReversalTolerance = 1e-8;
 
 // Rotates v, which is perpendicular to `from`, by the smallest rotation from `from` to `to`.
@@ -192,8 +192,8 @@ void TubeAxis::GetParameters(const glm::dvec3& x, double uv[2]) const
   }
   const Segment& segment = this->Segments[index];
   const double distanceBetween = start + end;
-  // If the tube's radius exceeds the radius of the bend, the planes intersect and the distance
-  // between them may be 0 or negative.
+  // Where the tube's radius exceeds the bend's radius, the bisecting planes intersect inside the
+  // tube, and the distance between them can be 0 or negative.
   const double part =
     distanceBetween > 0.0 ? std::max(0.0, std::min(start / distanceBetween, 1.0)) : 0.5;
   uv[1] = std::min(1.0, (segment.Distance + part * segment.Length) / this->Length);
@@ -220,7 +220,7 @@ glm::dvec3 TubeAxis::GetPoint(const double uv[2], double radius) const
   double along = part * segment.Length + rho * slope;
   if (along < 0.0 || along > segment.Length)
   {
-    // On the outside of a bend, the tube is part of a sphere around the line's point at the bend.
+    // On the outside of a bend, the tube is part of a sphere around the line's vertex there.
     const double offset =
       this->Scale * (part * segment.Length - (along < 0.0 ? 0.0 : segment.Length));
     const double size = this->Scale * radius;

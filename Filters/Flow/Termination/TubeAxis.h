@@ -16,11 +16,11 @@ namespace interlume
  * @brief   polyline with continuous coordinates around it and along it
  *
  * Each segment has a frame. Frames are transported from segment to segment by the smallest rotation
- * (the rotation-minimizing frame of a polyline). At a bend, segments meet in the plane that bisects
- * it. The frames on both sides are mirror images in that plane, so the angle is continuous. The
- * coordinate along a segment is the fraction of the distance between its two bisecting planes.
- * Unlike the arc length of the nearest point, it has no jump on the inside of a bend and no
- * constant section on the outside.
+ * (the rotation-minimizing frame of a polyline). At a bend, two segments meet in its bisecting
+ * plane. Their frames are mirror images in that plane, so the angle is continuous. The coordinate
+ * along a segment is the fraction of the distance between its two bisecting planes. Unlike the arc
+ * length of the nearest point, it has no jump on the inside of a bend and no constant section on
+ * the outside.
  *
  * For a closed line, the rotation between the last and the first frame is distributed over its
  * length.
@@ -52,7 +52,7 @@ public:
   /// if the line is closed.
   void GetParameters(const glm::dvec3& x, double uv[2]) const;
 
-  /// Returns the point with these parameters at distance \a radius from the line.
+  /// Returns the point with the parameters \a uv at distance \a radius from the line.
   glm::dvec3 GetPoint(const double uv[2], double radius) const;
 
   /// Return the frame at an end, and the end point.
@@ -70,18 +70,20 @@ private:
   {
     glm::dvec3 Start;
     double Length;
-    /// Distance of the segment's start along the line.
+    /// Arc length of the line up to the start of the segment.
     double Distance;
     AxialFrame Frame;
     /// The bisecting planes are at -w . StartTilt and Length - w . EndTilt along the segment, where
-    /// w is the offset perpendicular to the segment.
+    /// w is the perpendicular offset from the segment.
     glm::dvec3 StartTilt;
     glm::dvec3 EndTilt;
   };
 
-  /// Returns the nearest segment and computes the position of the nearest point along it.
+  /// Returns the index of the segment nearest to \a x. \a along is the position of \a x projected
+  /// onto the segment's line. It may be outside the segment.
   int FindNearest(const glm::dvec3& x, double& along) const;
-  /// Computes the distances of a point from both bisecting planes, along the segment.
+  /// Computes the components of \a x in the segment's frame, and the distances of \a x from the two
+  /// bisecting planes, measured along the segment.
   static void GetPlanes(const Segment& segment, const glm::dvec3& x, glm::dvec3& components,
     double& start, double& end);
   int GetNeighbor(int segment, int step) const;

@@ -13,8 +13,8 @@ namespace
 {
 using Values = MultilinearCell::Values;
 
-// Tolerances in parametric coordinates: distance outside the cell, and minimum uncertainty of a
-// regular and of a degenerate zero.
+// Tolerances in parametric coordinates: maximum distance outside the cell, minimum uncertainty of a
+// regular zero, and minimum uncertainty of a degenerate zero.
 constexpr double Margin = 1e-9;
 constexpr double Tolerance = 1e-7;
 constexpr double DegenerateTolerance = 1e-5;
@@ -79,7 +79,7 @@ void Multiply(const double matrix[9], const double x[3], double product[3])
   }
 }
 
-// Returns the sum of absolute values of a row.
+// Returns the sum of the absolute values in a row.
 double GetRowSum(const double matrix[9], int i)
 {
   return std::abs(matrix[3 * i]) + std::abs(matrix[3 * i + 1]) + std::abs(matrix[3 * i + 2]);
@@ -98,7 +98,8 @@ bool HasOneSign(const Values& values, int component, double noise)
   return lower > noise || upper < -noise;
 }
 
-// Returns the largest row sum of |derivatives - identity| over the cube.
+// Returns an upper bound, over the cube, of the norm (largest absolute row sum) of the derivatives
+// minus the identity.
 double GetDistanceFromIdentity(const Values& values)
 {
   double largest = 0.0;

@@ -46,7 +46,7 @@ struct Local
   MultilinearCell Cell;
 };
 
-// Counts the speeds at visible points.
+// Collects the speeds at visible points, and counts vectors that are not finite.
 SpeedCount CountSpeeds(vtkDataSet* data, vtkDataArray* vectors)
 {
   Blanking blanking;
@@ -206,7 +206,7 @@ private:
 
 void ZeroSearch::Merge(const std::vector<unsigned char>& marks)
 {
-  // Indices of the merged zeros, by system and by each of the points that they list.
+  // Indices into merged, by system and by each point in Zero::Points.
   std::map<std::pair<int, vtkIdType>, std::vector<std::size_t>> known;
   std::vector<Zero> merged;
   for (const Zero& zero : this->Zeros)

@@ -36,7 +36,7 @@ public:
   {
   public:
     virtual ~Systems() = default;
-    /// Computes the range of a cell's systems, from \a first to \a last - 1.
+    /// Computes the range of system indices for a cell: \a first to \a last - 1.
     virtual void GetRange(const MultilinearCell& cell, int& first, int& last) const = 0;
     /// Computes the values of a system at the corners of the cell's parameter cube.
     virtual void Evaluate(
@@ -62,7 +62,7 @@ public:
     /// interpolation weights at the zero, in descending order, followed by -1.
     bool IsShared;
     vtkIdType Points[8];
-    /// Point at the position of the zero, or -1.
+    /// Id of the point at the position of the zero, or -1.
     vtkIdType AtPoint;
   };
 
@@ -87,7 +87,7 @@ public:
   ///@{
   /**
    * Returns a warning if cells with fill values, or with non-finite vectors, were skipped,
-   * otherwise an empty string. \a array is the name of the vectors.
+   * otherwise an empty string. \a array is the name of the vector array.
    */
   std::string DescribeFillValues(const char* array) const;
   std::string DescribeNonFinite(const char* array) const;

@@ -43,7 +43,7 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, int components, vtkI
 
 vtkIdType CutGrid::GetOrAddPoint(const Point& point)
 {
-  // The parts on both sides share points with known values.
+  // A point with known values is shared by the parts on both sides.
   const int side = point.Kind == FarSideSamples::UNKNOWN ? point.Side : 0;
   const auto added =
     this->Known.emplace(std::make_tuple(point.Sample, point.Kind, side, point.IsBoundary),
@@ -217,7 +217,7 @@ void CutGrid::SetValues(vtkDataSet* input, const FarSideSamples& farSide,
       }
     }
   }
-  // The remaining cells have a result at all corners.
+  // All corners of the copies have a result.
   to->GetArray(vtkFlowStatus::StatusArray())->Fill(vtkFlowStatus::REACHED_SURFACE);
   to->RemoveArray(vtkFlowStatus::SideArray());
   to->AddArray(gaps);

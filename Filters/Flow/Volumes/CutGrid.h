@@ -23,7 +23,7 @@ class InterpolableCells;
 
 /**
  * @class   CutGrid
- * @brief   grid of the cells that a surface cuts, with one uncut copy of each cell per part
+ * @brief   grid of the cells that a surface cuts, with one copy of the whole cell for each part
  *
  * A cell that InterpolableCells excludes, and for which FarSideSamples has parts, is copied once
  * for each part. Each copy has the original corners on the side of the part, and duplicates of the
@@ -38,8 +38,9 @@ class CutGrid
 public:
   ///@{
   /**
-   * Names of point arrays (double): distance from the surface, negative for duplicates; its
-   * gradient; time from a point to the surface, negative behind it.
+   * Names of the point arrays (double) with the distance from the surface (negative for
+   * duplicates), the gradient of that distance, and the time from the point to the surface
+   * (negative behind the surface).
    */
   static const char* GapArray() { return "Gap"; }
   static const char* GradientArray() { return "GapGradient"; }
@@ -53,7 +54,7 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> Make(vtkDataSet* input, const ImplicitFlowArrays& arrays,
     const InterpolableCells& cells, vtkIdType& numberOfCells);
 
-  /// Returns the input point of a grid point, or -1 for a duplicate.
+  /// Returns the id of the input point of a grid point, or -1 for a duplicate.
   vtkIdType GetInputPoint(vtkIdType point) const
   {
     const Point& created = this->Points[static_cast<std::size_t>(point)];
@@ -65,10 +66,10 @@ private:
   {
     vtkIdType Sample;
     FarSideSamples::Roles Kind;
-    /// A corner of the part for which the point was created.
+    /// A corner on the side of the part for which the point was created.
     vtkIdType Other;
     bool IsNear;
-    /// Side of that part, 1 or -1, and whether it ends at the boundary of the reached region
+    /// Side of that part, 1 or -1, and whether the part ends at the boundary of the reached region
     /// instead of at a surface.
     int Side;
     bool IsBoundary;
@@ -83,7 +84,7 @@ private:
 
   std::vector<Point> Points;
   std::map<std::tuple<vtkIdType, int, int, bool>, vtkIdType> Known;
-  // Input cell of each part, and the point ids of the copies.
+  // Input cell of each copy, and the point ids of all copies.
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Ids;
 };

@@ -20,8 +20,8 @@ struct FlowVolumeReport
   vtkIdType CellsWithoutResult = 0;
   vtkIdType CellsBetweenSurfaces = 0;
   vtkIdType CellsOnSeams = 0;
-  /// Numbers of cells that their own termination surface crosses, where time is discontinuous, and
-  /// of other cells in which time differs by more than MaximumTimeJump.
+  /// Numbers of cells crossed by the surface that their streamlines reach, so that time is
+  /// discontinuous, and of other cells in which time differs by more than MaximumTimeJump.
   vtkIdType CellsAcrossSurfaces = 0;
   vtkIdType CellsWithTimeJumps = 0;
   /// Number of cells that were cut at a surface and not skipped. They also count as
@@ -33,8 +33,9 @@ struct FlowVolumeReport
   vtkIdType CellsAroundPoles = 0;
   /// Number of points added for cells across seams.
   vtkIdType PointsOnSeams = 0;
-  /// How often all cells were classified, cells were extracted by Inflow and by time, and stream
-  /// surfaces were cut by time; 0 if a step was not required or its result was reused.
+  /// Number of times that each step was executed: classification of all cells, extraction by
+  /// Inflow, extraction by time, and cutting of stream surfaces by time. 0 if the step was not
+  /// required or its result was reused.
   int Preparations = 0;
   int InflowPasses = 0;
   int TimePasses = 0;

@@ -23,7 +23,7 @@ namespace interlume
 
 namespace
 {
-// Values that replace the id for a corner without a result and for corners with different ids.
+// Values in place of a surface id: a corner has no result, or corners have different ids.
 constexpr int NoResult = -1;
 constexpr int Different = -2;
 
@@ -32,8 +32,8 @@ int Unite(int a, int b)
   return a == NoResult || b == NoResult ? NoResult : a == b ? a : Different;
 }
 
-// Determines the kinds of cells from the ids and parameters of their corners. Each thread needs its
-// own object.
+// Classifies cells by the surface ids and parameters of their corners. Each thread needs its own
+// object.
 class Classifier
 {
 public:
@@ -121,7 +121,7 @@ private:
   std::array<bool, 2> IsContinued{};
 };
 
-// Array that receives the kinds of cells, and the ghost types of the cells.
+// Array that receives the kinds of cells, and the array of the cells' ghost types.
 struct Output
 {
   vtkUnsignedCharArray* Ghosts;

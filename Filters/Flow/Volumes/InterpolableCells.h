@@ -65,7 +65,7 @@ public:
   vtkIdType Count(unsigned char kinds) const;
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->CellKinds.size()); }
 
-  /// Returns the unwrapped parameter of a corner of a cell across a seam.
+  /// Returns the unwrapped parameter of a corner of a cell that crosses a seam.
   static double Unwrap(double parameter) { return parameter < 0.5 ? parameter + 1.0 : parameter; }
 
 private:

@@ -21,7 +21,7 @@ namespace interlume
 
 namespace
 {
-// Tetrahedra around the points of triangles.
+// Tetrahedra around each point of the triangles.
 class Neighborhoods
 {
 public:
@@ -58,10 +58,10 @@ public:
   }
 
   SimplexPoints Simplices;
-  // Index of each mesh point among the points of the triangles, or -1; and the inverse map.
+  // Index of each mesh point in Points, or -1 if no triangle uses it. Points is the inverse map.
   std::vector<vtkIdType> Indices;
   std::vector<vtkIdType> Points;
-  // First tetrahedron of each point in Tetrahedra.
+  // Index in Tetrahedra of the first tetrahedron around each point.
   std::vector<vtkIdType> Firsts;
   std::vector<vtkIdType> Tetrahedra;
 
@@ -83,7 +83,7 @@ private:
   }
 };
 
-// Returns six times the volume times the gradient in a positively oriented tetrahedron.
+// Returns the gradient in a positively oriented tetrahedron, multiplied by six times its volume.
 glm::dvec3 GetWeightedGradient(const glm::dvec3 corners[4], const double values[4])
 {
   glm::dvec3 edges[3];

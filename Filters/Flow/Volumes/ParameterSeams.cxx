@@ -164,9 +164,9 @@ private:
   const ImplicitFlowArrays& Arrays;
   vtkUnstructuredGrid* Mesh;
   vtkIdType NumberOfPoints;
-  // Point ids for each class of cells; -1 if a point is not used.
+  // New id of each point for each class of cells, or -1 if the class does not use the point.
   std::vector<vtkIdType> NewIds[NumberOfClasses];
-  // Source points of the added points.
+  // Original of each added point.
   std::vector<vtkIdType> Sources;
 };
 }

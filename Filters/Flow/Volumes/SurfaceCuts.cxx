@@ -35,11 +35,11 @@ namespace
 {
 constexpr const char* LevelItems = "LevelItem";
 
-// Identity of a point of an extraction: its edge, the position on the edge, and its parameters,
-// which differ if they were unwrapped.
+// Identifies an extracted point by the ends of its edge, its position on the edge, and its
+// parameters, which depend on unwrapping.
 using Key = std::tuple<vtkIdType, vtkIdType, double, double, double>;
 
-// Origins and parameters of the points of a mesh.
+// Makes keys from the origins and parameters of the points of a mesh.
 class Keys
 {
 public:
@@ -76,8 +76,8 @@ void Rename(vtkUnstructuredGrid* mesh, const char* before, const char* after)
   mesh->GetCellData()->AddArray(renamed);
 }
 
-// Concatenates the arrays of \a first and the tuples \a ids of the corresponding arrays of \a
-// second.
+// Copies the first \a number tuples of \a first to \a all, and appends the tuples \a ids of the
+// corresponding arrays of \a second.
 void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes* second,
   const std::vector<vtkIdType>& ids, vtkDataSetAttributes* all)
 {
@@ -105,8 +105,8 @@ void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes*
   }
 }
 
-// Returns the fraction of the edge from \a a to \a b at which the distance is 0, computed from the
-// distances and gradients at both ends. The distance at \a a must be positive.
+// Returns the fraction of the edge from \a a to \a b at which the distance from the surface is 0,
+// computed from the distances and gradients at both ends. The distance at \a a must be positive.
 double FindZero(vtkUnstructuredGrid* uncut, vtkIdType a, vtkIdType b)
 {
   vtkDataArray* gaps = uncut->GetPointData()->GetArray(interlume::CutGrid::GapArray());
@@ -126,7 +126,7 @@ double FindZero(vtkUnstructuredGrid* uncut, vtkIdType a, vtkIdType b)
   const double below = gaps->GetComponent(b, 0);
   if (slope[0] == 0.0 && slope[1] == 0.0)
   {
-    // The gradients are unknown.
+    // Without gradients, interpolate linearly.
     return above / (above - below);
   }
   // Cubic Hermite interpolation of the distance along the edge.
@@ -140,7 +140,8 @@ double FindZero(vtkUnstructuredGrid* uncut, vtkIdType a, vtkIdType b)
 }
 
 // Moves points on the surface from the zero of the linearly interpolated distance to the zero of
-// the distance interpolated with gradients, and sets their NearTime to 0.
+// the distance interpolated with gradients. NearTime must be 0 there, so its interpolated value is
+// subtracted from AdvectionTime.
 void CorrectPoints(vtkUnstructuredGrid* uncut, vtkUnstructuredGrid* cut)
 {
   const Keys keys(cut);
@@ -188,7 +189,8 @@ void CorrectPoints(vtkUnstructuredGrid* uncut, vtkUnstructuredGrid* cut)
 }
 }
 
-/// For each point of the cut mesh, its key in the input, if it has one.
+/// Keys of the points of the cut mesh. A key is known if its point lies between two input points
+/// and was not created by the cut.
 struct SurfaceCuts::Origins
 {
   std::vector<Key> Known;
@@ -339,8 +341,8 @@ std::vector<vtkIdType> SurfaceCuts::FindIds(
     }
     if (origins.IsKnown[p])
     {
-      // The point may belong both to cells cut at a surface and to cells cut at the boundary of the
-      // reached region.
+      // Cells cut at a surface and cells cut at the boundary of the reached region may share the
+      // point.
       known[origins.Known[p]] = ids[p];
     }
   }

@@ -21,16 +21,16 @@ class SurfaceLevels;
 
 /**
  * @class   SurfaceCuts
- * @brief   extracts the part of a flow volume in cells that a termination surface crosses
+ * @brief   extracts a flow volume in cells that a termination surface crosses
  *
- * The parts of these cells (CutGrid) are first extracted like uncut cells, so that they are
+ * The copies of these cells (CutGrid) are first extracted like uncut cells, so that they are
  * consistent with adjacent cells. They are then cut at the surface and joined to the extraction of
- * all other cells. Points on the same edges of the input are merged.
+ * all other cells. Common points on input edges are merged.
  */
 class SurfaceCuts
 {
 public:
-  /// Finds the cells and returns the number of input cells that are cut.
+  /// Finds the input cells that are cut, and returns their number.
   vtkIdType Prepare(vtkDataSet* input, const ImplicitFlowArrays& arrays,
     const InterpolableCells& cells, const InterpolableCells::Limits& limits);
   bool IsEmpty() const { return !this->Grid; }
@@ -53,8 +53,8 @@ public:
 
 private:
   struct Origins;
-  /// Extracts the tetrahedra bounded by the surfaces, the origins of their points, and the
-  /// triangles.
+  /// Returns the tetrahedra of the cut cells, cut at the surfaces, or null if there are none. Also
+  /// computes the origins of their points, and the triangles.
   vtkSmartPointer<vtkUnstructuredGrid> Extract(const Request& request, Origins& origins);
 
   /// Finds the id of each extracted point in the joined mesh. \a added receives the new points.

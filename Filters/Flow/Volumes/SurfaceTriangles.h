@@ -18,7 +18,8 @@ class SurfaceLevels;
  * @class   SurfaceTriangles
  * @brief   distinct triangles of surfaces inside a tetrahedral mesh
  *
- * Triangles are level sets of a function. They all face against its gradient, toward lower values.
+ * The surfaces are level sets of a function. All triangles face against its gradient, toward lower
+ * values.
  */
 class SurfaceTriangles
 {
@@ -44,13 +45,12 @@ public:
    */
   void Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* after);
 
-  /// Replaces the point ids of the triangles.
+  /// Replaces each point id p of the triangles with ids[p].
   void Renumber(const std::vector<vtkIdType>& ids);
-  /// Appends the triangles of another object.
   void Append(const SurfaceTriangles& other);
 
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// Returns the surface of each triangle, see SurfaceLevels::GetSurface().
+  /// Returns the index of the surface of each triangle. See SurfaceLevels::GetSurface().
   const std::vector<int>& GetSurfaces() const { return this->Surfaces; }
 
 private:

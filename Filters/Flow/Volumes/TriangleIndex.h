@@ -71,7 +71,7 @@ private:
     return triangle;
   }
 
-  // Index of the first entry for each smallest point id.
+  // Index of the first entry of the triangles whose smallest point id is p, for each p.
   std::vector<vtkIdType> Firsts;
   std::vector<Entry> Entries;
 };

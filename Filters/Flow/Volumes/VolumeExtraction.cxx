@@ -58,7 +58,7 @@ InterpolableCells::Continuity GetContinuity(vtkDataSet* input, const ImplicitFlo
     : arrays.GetSurfaces();
 }
 
-// Copies an integer array of \a mesh under another name.
+// Returns a shallow copy of an integer cell array of \a mesh with another name.
 vtkSmartPointer<vtkIntArray> Rename(
   vtkUnstructuredGrid* mesh, const char* before, const char* after)
 {
@@ -71,8 +71,8 @@ vtkSmartPointer<vtkIntArray> Rename(
   return renamed;
 }
 
-// Returns the point precision for an extraction from an unstructured grid, so that it equals the
-// precision of the extraction from the input.
+// Returns the OutputPointsPrecision with which an extraction from an unstructured grid has the same
+// point precision as an extraction from the input.
 int GetPrecision(const VolumeExtraction::Request& request)
 {
   const bool hasOwnPoints = vtkPointSet::SafeDownCast(request.Input) ||
@@ -206,7 +206,8 @@ void VolumeExtraction::CollectTriangles(
 {
   triangles.Take(result.Boundary, levels);
   triangles.Append(result.CutTriangles);
-  // Loose triangles occur only if values equal a bound, and Cut() removes them anyway.
+  // Loose triangles occur only if values equal a bound. If another extraction follows, Cut()
+  // removes them.
   if (isFinal && result.Filter->GetReport()->GetNumber("CollapsedSimplices") > 0)
   {
     triangles.RemoveLoose(result.Mesh);

@@ -59,8 +59,8 @@ public:
 
   ///@{
   /**
-   * Return the results of the last execution: the tetrahedra, the item of the levels for each
-   * tetrahedron (null if the extraction is disabled), and the triangles of surfaces.
+   * Return the results of the last execution: the tetrahedra, the SurfaceLevels item of each
+   * tetrahedron (null if the extraction is disabled), and the triangles of the surfaces.
    */
   vtkUnstructuredGrid* GetMesh() const { return this->Mesh; }
   vtkIntArray* GetInflowItems() const { return this->InflowItems; }
@@ -69,8 +69,8 @@ public:
   const SurfaceTriangles& GetTimeTriangles() const { return this->TimeTriangles; }
   ///@}
 
-  /// Name of the cell array that passes the items of the first extraction to the second one. It is
-  /// not an array of the input.
+  /// Name of the temporary cell array that passes the items of the first extraction to the second
+  /// one.
   static const char* ItemArray() { return "InflowItem"; }
 
 private:
@@ -88,11 +88,12 @@ private:
 
   bool Prepare(const Request& request, FlowVolumeReport& report);
   /// Runs one extraction. The progress of the owner advances from \a start to \a end. \a isFirst is
-  /// true if the input's cells are extracted, with parameters to unwrap and cells to cut.
+  /// true for the extraction from the input's cells, which also unwraps parameters and cuts cells.
   bool Run(const Request& request, Result& result, vtkDataSet* input, const SurfaceLevels& levels,
     bool isFirst, double start, double end, int& passes);
 
-  /// Gets the surfaces of one extraction. \a isFinal is true if no other extraction cuts them.
+  /// Collects the surface triangles of one extraction. \a isFinal is true if no other extraction
+  /// follows.
   static void CollectTriangles(
     Result& result, const SurfaceLevels& levels, bool isFinal, SurfaceTriangles& triangles);
 

@@ -23,7 +23,7 @@ struct Contiguous
   }
 };
 
-// Values of any array, accessed one by one.
+// Values of an array of any type, read with GetComponent().
 struct AnyValues
 {
   vtkDataArray* Values;
@@ -34,7 +34,7 @@ struct AnyValues
   }
 };
 
-// Two arrays. The second one contains the values of the ids from Split on.
+// Values of two arrays. Ids from Split on refer to the second array.
 template <typename Source>
 struct Pair
 {
@@ -62,7 +62,7 @@ public:
   void Interpolate(const ExtractionPoint* points, std::size_t number, void* out) const override
   {
     Out* const values = static_cast<Out*>(out);
-    // If the number of components is known at compile time, no loop over components is needed.
+    // With a number of components known at compile time, the compiler unrolls the loop over them.
     switch (this->Components)
     {
       case 1:

@@ -21,15 +21,15 @@ namespace interlume
 class ArrayInterpolator
 {
 public:
-  /// Creates an interpolator for results of type VTK_FLOAT or VTK_DOUBLE. An id i >= \a split
-  /// refers to tuple i - \a split of \a second. \a second may be the same array as \a first. Both
-  /// arrays must outlive the result.
+  /// Creates an interpolator with the result type VTK_FLOAT or VTK_DOUBLE. An id i >= \a split
+  /// refers to tuple i - \a split of \a second. If \a first and \a second are the same array, \a
+  /// split is ignored. Both arrays must outlive the interpolator.
   static std::unique_ptr<ArrayInterpolator> Make(
     vtkDataArray* first, vtkDataArray* second, vtkIdType split, int outType);
 
   virtual ~ArrayInterpolator() = default;
 
-  /// Writes the tuples of \a number points to \a out, which has the type of the results.
+  /// Writes the interpolated tuples of \a number points to \a out, an array of the result type.
   virtual void Interpolate(const ExtractionPoint* points, std::size_t number, void* out) const = 0;
 };
 

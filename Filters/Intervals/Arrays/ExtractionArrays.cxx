@@ -69,7 +69,7 @@ struct CopyWorker
   void operator()(Array* in, vtkDataArray* base) const
   {
     Array* out = Array::FastDownCast(base);
-    // If the number of components is known at compile time, no loop over components is needed.
+    // With a number of components known at compile time, the compiler unrolls the loop over them.
     in->GetNumberOfComponents() == 1 ? this->Run<1>(in, out) : this->Run<0>(in, out);
   }
 

@@ -16,7 +16,7 @@ namespace interlume
 
 /**
  * @class   ExtractionArrays
- * @brief   selects the arrays of output points and cells, and their types
+ * @brief   selects the arrays of output points and cells, and the types of these arrays
  *
  * Numeric point arrays are interpolated along grid edges. The result is float for float and for
  * 8-bit and 16-bit integers, otherwise double. Other point arrays use the value of the closer end
@@ -30,11 +30,12 @@ public:
   static int ChoosePointType(vtkDataSet* input, int precision);
 
   /// Copies the cell arrays. \a cells contains the input cell of each of \a number output cells.
-  /// Returns the number of arrays.
+  /// Returns the number of copied arrays.
   static int CopyCellData(
     vtkCellData* input, const vtkIdType* cells, vtkIdType number, vtkCellData* output);
 
-  /// Returns the number of points per axis of a structured grid. Returns false for other datasets.
+  /// Gets the number of points per axis of image data, a rectilinear grid or a structured grid.
+  /// Returns false for other datasets.
   static bool GetRowDimensions(vtkDataSet* input, int dimensions[3]);
 
   /// Returns whether an array of \a attributes is passed to the output.
@@ -43,8 +44,9 @@ public:
   /// Returns whether two arrays are compatible for interpolation between them. Either may be null.
   static bool IsCompatible(vtkAbstractArray* a, vtkAbstractArray* b);
 
-  /// Adds \a out to \a output, with the name, component names and active attributes that \a in has
-  /// in \a input.
+  /// Adds \a out to \a output, with the name and the component names of \a in. If \a in is an
+  /// active attribute of \a input, such as the scalars, \a out becomes the same attribute of \a
+  /// output.
   static void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
     vtkDataSetAttributes* output, vtkAbstractArray* out);
 

@@ -22,8 +22,8 @@ namespace interlume
 
 namespace
 {
-// Copies the tuples of all corners. If \a Known, the size of a tuple, is not 0, the compiler needs
-// no loop over bytes.
+// Copies the tuples of all corners. \a Known is the size of a tuple in bytes if it is known at
+// compile time, which avoids a loop over bytes, otherwise 0.
 template <std::size_t Known>
 void CopyTuples(const char* values, const PointArrays::Part& part, std::size_t size, char* out)
 {
@@ -57,12 +57,11 @@ struct PointArrays::Column
 {
   std::unique_ptr<ArrayInterpolator> In;
   vtkDataArray* Out;
-  // The values, set by the allocation, and the number of bytes per tuple.
+  // The values of Out, set by Allocate(), and the size of a tuple in bytes.
   char* Values;
   std::size_t Size;
 
-  // Returns the size in bytes of the values of \a points points, padded so that the next column is
-  // aligned.
+  // Returns the size of the values of \a points points in bytes, padded to align the next column.
   std::size_t GetBytes(std::size_t points) const
   {
     constexpr std::size_t step = sizeof(double);

@@ -41,9 +41,9 @@ public:
   /// vtkAlgorithm::DesiredOutputPrecision.
   PointArrays(vtkDataSet* input, int precision);
 
-  /// Creates arrays without coordinates. Ids from \a split on refer to points of \a second. If the
-  /// two differ, only arrays that both contain are created. Their names are then keys of
-  /// ArrayMatch, so that the results of several calls can be matched.
+  /// Creates arrays without coordinates. Ids from \a split on refer to points of \a second. If \a
+  /// first and \a second differ, only arrays that both contain are created, and their names are
+  /// keys of ArrayMatch, so that the results of several calls can be matched.
   PointArrays(vtkPointData* first, vtkPointData* second, vtkIdType split);
 
   ~PointArrays();
@@ -55,7 +55,6 @@ public:
   /// Allocates and writes a list of points in parallel.
   void Fill(const ExtractionBuffer<ExtractionPoint>& points);
 
-  /// Allocates \a number points.
   void Allocate(vtkIdType number);
   bool IsAllocated() const { return this->Allocated; }
 
@@ -66,7 +65,7 @@ public:
   /// Removes all points that are not retained.
   void Keep(const RetainedIdRanges& retained);
 
-  /// Values of a set of points, and corners of triangles as indices of these points.
+  /// Interpolated values of a batch of points, and triangle corners as indices into this batch.
   struct Part
   {
     using Index = std::uint32_t;
@@ -75,7 +74,7 @@ public:
     std::size_t NumberOfPoints = 0;
     /// Values of the points, one array after the other.
     ExtractionBuffer<char> Values;
-    /// Id of the closer edge end of each point, if there are non-numeric arrays.
+    /// For each point, the id of the closer end of its edge, if there are non-numeric arrays.
     ExtractionBuffer<vtkIdType> Nearer;
 
     std::size_t GetBytes() const
@@ -116,11 +115,11 @@ private:
   bool HasKeys = false;
   vtkIdType Split = VTK_ID_MAX;
   vtkSmartPointer<vtkPoints> Points;
-  // Computes the coordinates of a grid without explicit points. Null for other grids.
+  // Computes the coordinates of a grid without explicit points; null for other grids.
   std::unique_ptr<RowCoordinates> Rows;
   std::vector<Column> Columns;
   std::vector<Carried> Arrays;
-  // If true, there are non-numeric arrays, and Nearer holds the closer edge end of each point.
+  // If true, there are non-numeric arrays, and Nearer has the closer edge end of each point.
   bool HasOthers = false;
   ExtractionBuffer<vtkIdType> Nearer;
   bool Allocated = false;

@@ -28,12 +28,12 @@ public:
   /// \a input is a vtkImageData or vtkRectilinearGrid.
   explicit RowCoordinates(vtkDataSet* input);
 
-  /// Writes the coordinates of \a number points. Computing successive points is fast if their edges
+  /// Writes the coordinates of \a number points. This is fast if the edges of successive points
   /// start in the same row.
   template <typename Out>
   void Fill(const ExtractionPoint* points, vtkIdType number, Out* out) const
   {
-    // The row that contains the previous point: its first point and its number of points.
+    // First point and number of points of the row where the previous edge starts.
     vtkIdType first = 0;
     vtkIdType length = 0;
     std::array<int, 3> at{};

@@ -16,8 +16,8 @@ namespace interlume
  * @brief   identifies the slots of a cell that are the same point because a value equals an
  * isovalue
  *
- * If an isovalue crosses an edge at one of its ends, the crossing is the grid point there. In an
- * interval of zero width, the upper and the lower crossing coincide.
+ * If an isovalue crosses an edge at one of its ends, the crossing is the grid point at that end. If
+ * an interval has zero width, its lower and upper bounds cross an edge at the same point.
  */
 class ExtractionCell
 {
@@ -51,8 +51,9 @@ public:
   }
 
   /**
-   * For each of \a slots, finds the first slot at the same point. If corners of the cell may
-   * coincide, getPoint(slot) must return equal results for slots of the same point.
+   * Sets same[slot], for each of \a slots, to the first slot that is the same point. If \a
+   * hasEqualCorners is true, corners of the cell may coincide, and slots with equal getPoint(slot)
+   * are the same point.
    */
   template <typename Table, typename GetPoint>
   static void IdentifyAll(const Table& table, const ExtractionValues::Item& item, const Code* codes,
@@ -71,7 +72,7 @@ public:
     }
   }
 
-  /// Returns the key of the interval case with all vertices inside.
+  /// Returns the key of the interval case in which all vertices are inside.
   static int GetKeyInside(int vertices)
   {
     int key = 0;

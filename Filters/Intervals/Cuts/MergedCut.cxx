@@ -12,7 +12,7 @@ namespace interlume
 
 namespace
 {
-// Faces are read from the interval table because no case of a contour table contains them.
+// Cell faces are read from an interval table because contour tables do not contain them.
 const vtkIsotable& GetIntervalTable(int vertices)
 {
   int shape = 0;
@@ -74,7 +74,7 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
       OppositePairs::Remove<3>(this->Simplices);
     }
   }
-  // A cut in a slot order that differs from the table's may have more simplices.
+  // The cut may have more simplices than the case if its slot order differs from the table's.
   const std::size_t left = std::min(this->Simplices.size(), what.Simplices.size());
   this->NumberCollapsed = static_cast<vtkIdType>(what.Simplices.size() - left);
 }
@@ -112,7 +112,7 @@ void MergedCut::FindFaces(const vtkIsotable& table)
     {
       unsigned face = 0;
       std::for_each(polygon, polygon + number, [&face](Slot vertex) { face |= 1u << vertex; });
-      // Each face is visited once per triangle.
+      // CutSides() visits each face once per triangle.
       if (this->Faces.empty() || this->Faces.back() != face)
       {
         this->Faces.push_back(face);

@@ -20,8 +20,8 @@ namespace interlume
  *
  * Slots of the same point are merged before the case is cut. Simplices that then contain a point
  * twice are removed, and so are pairs with the same points and opposite orientation. Therefore the
- * faces of the remaining simplices match those of the neighbor cells, and a degenerate piece leaves
- * no simplex.
+ * faces of the remaining simplices match those in the neighbor cells, and degenerate pieces leave
+ * no simplices.
  *
  * In an interval of zero width, a cell is output if all its values equal the bound. Any other cell
  * contributes only those of its faces where all values equal the bound. These faces are reversed
@@ -72,7 +72,7 @@ private:
   std::vector<Simplex> Simplices;
   std::vector<Triangle> Triangles;
   vtkIdType NumberCollapsed = 0;
-  // Cache of FindFaces(): the last table, the vertices of each of its faces as a bit mask, and the
+  // Cached results of FindFaces(): the last table, the vertices of each face as a bit mask, and the
   // faces that contain each slot as a bit mask.
   const vtkIsotable* FaceTable = nullptr;
   std::vector<unsigned> Faces;

@@ -16,9 +16,9 @@ namespace interlume
 {
 
 /**
- * A cell that an item (a contour or an interval) may intersect, with its corners in the order of
- * its table. With two time steps, the corners at the first step precede those at the second. \a
- * Steps is 1 or 2.
+ * A cell that an item (a contour or an interval) may intersect, with its corners in the vertex
+ * order of the table of its shape. \a Steps is the number of time steps, 1 or 2. With two steps,
+ * the corners at the first step precede those at the second.
  */
 template <int Steps>
 struct TableCell
@@ -28,11 +28,11 @@ struct TableCell
 
   vtkIdType Id = -1;
   vtkIsotable::Shapes Shape = vtkIsotable::HEXAHEDRON;
-  /// Number of corners at one step.
+  /// Number of corners at one time step.
   int NumberOfCorners = 8;
   vtkIdType Ids[MaximumNumberOfVertices] = {};
   Code Codes[MaximumNumberOfVertices] = {};
-  /// If true, the corner ids are in ascending order and the cut stored in the table applies.
+  /// If true, the corner ids are in ascending order, and the cut stored in the table applies.
   bool IsAscending = true;
   /// If true, reordering a tetrahedron has reversed its orientation.
   bool IsReflected = false;
@@ -48,7 +48,7 @@ struct TableCell
 
 /**
  * @class   SlotTables
- * @brief   tables of all cell shapes, and the points of their slots
+ * @brief   the tables of all cell shapes, and the points at which their slots lie
  *
  * \a Table is vtkIsotable or SpaceTimeTable.
  */
@@ -93,7 +93,7 @@ public:
     return this->Ends[shape][slot];
   }
 
-  /// Returns the key of a slot's point, and sets \a owner to the grid point that owns it.
+  /// Returns the key of a slot's point, and sets \a owner to the grid point that owns the point.
   template <typename Cell>
   CrossingKey GetPoint(const Cell& cell, const Item& item, Slot slot, vtkIdType& owner) const
   {

@@ -14,8 +14,8 @@ namespace interlume
  * @class   TieCaseCache
  * @brief   cache of the cuts of hexahedra where values equal isovalues (ties)
  *
- * The cut depends on the item and on how each corner value compares with both bounds. Neighboring
- * cells of a row often agree in these. Use one object per thread.
+ * The cut depends on the item and on how each corner value compares with both bounds. These are
+ * often the same for neighboring cells of a row. Use one object per thread.
  */
 class TieCaseCache
 {

@@ -35,7 +35,7 @@ public:
 
   bool HasTable() const { return this->Kind == LINEAR || this->Kind == HIGHER_ORDER; }
 
-  /// Returns the type of the linear cell that replaces a cell of higher order.
+  /// Returns the type of the linear cell that replaces a higher-order cell.
   unsigned char GetLinearType() const;
 
   static CellCorners Of(int cellType);

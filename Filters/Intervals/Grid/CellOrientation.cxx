@@ -21,8 +21,8 @@ namespace interlume
 
 namespace
 {
-// Computes the columns of the Jacobian at the cell center, up to a positive factor, for one
-// coordinate x(vertex) or for all coordinates.
+// Computes the columns of the Jacobian at the cell center, up to positive factors. x(vertex)
+// returns one coordinate, or a vector of all coordinates, of a vertex.
 template <typename Coordinate, typename Number>
 void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, Number* columns)
 {
@@ -65,11 +65,11 @@ int GetDeterminantSign(vtkIsotable::Shapes shape, GetPoint&& getPoint)
   return determinant < 0.0 ? -1 : determinant > 0.0 ? 1 : 0;
 }
 
-// A vector in single precision with three coordinates and a zero.
+// A single-precision vector of three coordinates and a zero.
 using RoughVector = float __attribute__((vector_size(16)));
 using RoughBits = unsigned int __attribute__((vector_size(16)));
 
-// Same result as FillColumns with fewer additions, assuming that x[0] is zero.
+// Computes the same columns as FillColumns with fewer additions. Requires x[0] to be zero.
 void FillRoughColumns(vtkIsotable::Shapes shape, const RoughVector* x, RoughVector* columns)
 {
   if (shape != vtkIsotable::HEXAHEDRON)
@@ -139,7 +139,7 @@ int GetRoughSign(vtkIsotable::Shapes shape, const float* coordinates, const vtkI
   }
 }
 
-// The three edges at a corner, each along an axis of the cell.
+// The three edges at a corner, each from end to end in the direction of a cell axis.
 struct CornerEdges
 {
   std::uint8_t Ends[3][2];

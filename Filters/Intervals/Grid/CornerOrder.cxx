@@ -11,9 +11,9 @@ namespace interlume
 
 namespace
 {
-// Corner permutations of a hexahedron. A permutation is selected by the first corner and three bits
-// that compare its neighbors along the three axes: second before first, third before second, third
-// before first.
+// Corner permutations of a hexahedron. A permutation is selected by its first corner and by three
+// bits that compare the neighbors of this corner along the three axes: second before first, third
+// before second, third before first.
 struct HexahedronPermutations
 {
   std::uint8_t Corners[8][8][8] = {};
@@ -43,8 +43,8 @@ struct HexahedronPermutations
   }
 };
 
-// Permutes the ids one by one. Loading ids in pairs just after they were written individually would
-// stall.
+// Permutes the ids one by one. Loading pairs of ids just after they were written one by one would
+// defeat store-to-load forwarding.
 template <std::size_t... V>
 void Permute(const std::uint8_t* from, vtkIdType* ids, std::index_sequence<V...>)
 {
@@ -122,7 +122,7 @@ void CornerOrder::PermuteWedge(vtkIdType* ids) const
   {
     std::swap_ranges(ids, ids + 3, ids + 3);
   }
-  // Applies the same exchange to both triangles.
+  // Swaps the same two corners in both triangles.
   const auto order = [&](int a, int b)
   {
     if (before(ids[b], ids[a]))
@@ -145,7 +145,7 @@ void CornerOrder::PermuteHexahedron(vtkIdType* ids) const
   vtkIdType least = keys[0];
   for (int v = 1; v < 8; ++v)
   {
-    // Branchless, since the first corner is unpredictable.
+    // Branchless, since which corner comes first is unpredictable.
     const bool isBefore = keys[v] < least;
     corner = isBefore ? v : corner;
     least = isBefore ? keys[v] : least;

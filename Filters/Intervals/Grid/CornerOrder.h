@@ -27,7 +27,7 @@ public:
   /// Creates the order. Global ids of a type other than vtkIdType are copied.
   explicit CornerOrder(vtkPointData* points);
 
-  /// Returns whether the order equals the point id order.
+  /// Returns whether this is the order of the point ids.
   bool IsById() const { return this->Keys == nullptr; }
 
   bool IsBefore(vtkIdType a, vtkIdType b) const
@@ -69,9 +69,9 @@ public:
   void Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const;
 
   /**
-   * Makes interpolation independent of the numbering within a piece: output points at the midpoint
-   * of two grid points are interpolated from the end that is first in the order. With swapped ends,
-   * rounding may differ. Ids from \a split on are points at the second time step.
+   * Makes interpolation independent of the numbering within a piece: an output point at the
+   * midpoint of an edge is interpolated from the end that is first in the order, since rounding may
+   * differ if the ends are swapped. Ids from \a split on are points at the second time step.
    */
   template <typename Point>
   void SortHalfway(Point* points, std::size_t number, vtkIdType split = VTK_ID_MAX) const
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  // Returns the sort keys of the corners, possibly stored in \a buffer.
+  // Returns the sort keys of the corners: \a ids itself, or their global ids in \a buffer.
   const vtkIdType* GetKeys(const vtkIdType* ids, int number, vtkIdType* buffer) const
   {
     for (int v = 0; this->Keys && v < number; ++v)
@@ -130,7 +130,7 @@ private:
   void PermuteHexahedron(vtkIdType* ids) const;
 
   vtkSmartPointer<GlobalIds::Array> Array;
-  // Global id of each point, or null.
+  // Global id of each point; null if there are no global ids.
   const vtkIdType* Keys;
 };
 

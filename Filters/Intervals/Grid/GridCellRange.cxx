@@ -10,7 +10,7 @@ namespace interlume
 
 namespace
 {
-// Returns the first included cell of [first, last), or last.
+// Returns the first cell in [first, last) that is not blanked, or last if there is none.
 vtkIdType FindIncluded(const Blanking& blanking, vtkIdType first, vtkIdType last)
 {
   while (first < last && blanking.IsCellBlanked(first))
@@ -71,14 +71,14 @@ bool GridCellRange::Shrink(const Blanking& blanking, const int dimensions[3])
   }
   this->First = first;
   this->Last = last;
-  // The included cells fill their bounding box if the box has as many cells.
+  // The included cells fill their bounding box if there are as many of them as cells in the box.
   return included > 0 && included == this->GetNumberOfCells();
 }
 
 bool GridCellRange::AnyOutside(
   const int dimensions[3], const std::function<bool(vtkIdType, vtkIdType)>& work) const
 {
-  // Points whose cells are all in the box.
+  // Range, along each axis, of points whose cells are all in the box.
   vtkIdType begin[3];
   vtkIdType end[3];
   for (int axis = 0; axis < 3; ++axis)

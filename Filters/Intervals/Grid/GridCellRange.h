@@ -21,7 +21,7 @@ struct Blanking;
  */
 struct GridCellRange
 {
-  /// The cells along each axis are [First, Last).
+  /// Half-open range [First, Last) of cells along each axis.
   std::array<vtkIdType, 3> First;
   std::array<vtkIdType, 3> Last;
 
@@ -31,14 +31,15 @@ struct GridCellRange
   vtkIdType GetNumberOfCells() const;
 
   /**
-   * Shrinks the box of all cells to the included cells. Returns false if the ghost array excludes
-   * all cells or if the included cells do not form a box.
+   * Shrinks the box of all cells to the cells that are not blanked. Returns false if these cells do
+   * not form a box, if all cells are blanked, or if the grid has no cell ghost array or has a point
+   * ghost array.
    */
   bool Shrink(const Blanking& blanking, const int dimensions[3]);
 
   /**
-   * Calls \a work(first, last) for ranges of points of the grid until it returns true. Together the
-   * ranges contain all points of cells outside the box. Returns whether a call returned true.
+   * Calls \a work(first, last) for ranges of points of the grid until it returns true. The ranges
+   * together contain all points of the cells outside the box. Returns whether a call returned true.
    */
   bool AnyOutside(const int dimensions[3],
     const std::function<bool(vtkIdType first, vtkIdType last)>& work) const;

@@ -17,19 +17,19 @@ namespace interlume
 {
 
 /**
- * Input and result of a pass that copies interior cells. The result of a pass is the input of the
- * pass for the next criterion.
+ * Data on interior cells that each pass reads and then updates for the next pass. The first pass
+ * extracts the intervals, and each further pass applies one criterion.
  */
 struct InteriorCellPass
 {
-  /// A mark per point of the first pass's input, 0 if a criterion excludes the point; empty if
-  /// there are no criteria.
+  /// One mark per input point of the first pass: 0 if a criterion excludes the point. Empty if
+  /// there are no criteria, and in further passes.
   std::vector<unsigned char> Points;
-  /// First interior cell in the output of the previous pass, which ends with the interior cells; -1
-  /// in the first pass.
+  /// Index of the first interior cell in the output of the previous pass, where interior cells come
+  /// last; -1 in the first pass.
   vtkIdType First = -1;
-  /// For each boundary triangle, the interior cell of the same output that it is a face of, or -1;
-  /// empty if no triangle is a face of an interior cell.
+  /// For each boundary triangle of that output, the interior cell of which it is a face, or -1.
+  /// Empty if no triangle is a face of an interior cell.
   std::vector<vtkIdType> TriangleInteriorCells;
 
   /// Excludes the points that do not satisfy a criterion. Call it once per criterion.
@@ -40,15 +40,15 @@ struct InteriorCellPass
  * @class   InteriorCellFilter
  * @brief   selects input cells that may be copied as interior cells
  *
- * A further pass receives the interior cells of the previous pass unchanged and copies them, since
- * they satisfy all criteria.
+ * Each pass after the first copies the interior cells of the previous pass unchanged, since they
+ * satisfy all criteria.
  */
 class InteriorCellFilter
 {
 public:
   /**
-   * \a original is the input of the filter. If its polyhedra were replaced by cells with isotables,
-   * \a originals contains the original cell of each replacement; otherwise it is null.
+   * \a original is the input of the filter. If its polyhedra were replaced with cells that have
+   * isotables, \a originals maps each cell to its original cell; otherwise it is null.
    */
   InteriorCellFilter(
     vtkDataSet* original, const std::vector<vtkIdType>* originals, const InteriorCellPass& pass);

@@ -16,10 +16,10 @@ namespace interlume
  * @class   RowIndex
  * @brief   64-bit index arithmetic of a structured (i, j, k) grid
  *
- * Points are numbered along i, then j, then k. A row of points has the number j + k * nj, a row of
- * cells the number j + k * (nj - 1). The rows may be restricted to a window of the grid. Then ids
- * of points and cells, and indices along axes, refer to the grid, while rows, and j and k of a row,
- * refer to the window.
+ * Points are numbered along i, then j, then k. The index of a row of points is j + k * nj, and that
+ * of a row of cells is j + k * (nj - 1). The rows may be restricted to a window of the grid. Then
+ * ids of points and cells, and indices along axes, refer to the grid, while rows, and j and k of a
+ * row, refer to the window.
  */
 class RowIndex
 {
@@ -55,8 +55,8 @@ public:
   /// Returns whether a row of cells starts at the row of points (j, k).
   bool HasCells(vtkIdType j, vtkIdType k) const { return j + 1 < this->Nj && k + 1 < this->Nk; }
 
-  /// Returns the row of cells, in the grid, that starts at the row of points (j, k). For the last
-  /// rows of points, returns the preceding row of cells.
+  /// Returns the index, in the grid, of the row of cells that starts at the row of points (j, k).
+  /// For the last rows of points, returns the preceding row of cells.
   vtkIdType GetCellRow(vtkIdType j, vtkIdType k) const
   {
     return this->First[1] + std::min(j, this->Nj - 2) +
@@ -67,13 +67,14 @@ public:
     return this->First[0] + this->GetCellRow(j, k) * (this->GridNi - 1);
   }
 
-  /// Returns the id difference to the next point along an axis.
+  /// Returns the difference between the ids of adjacent points along an axis.
   vtkIdType GetStep(int axis) const
   {
     return axis == 0 ? 1 : axis == 1 ? this->GridNi : this->GridNi * this->GridNj;
   }
 
-  /// Returns vertex 0 ... 7, in the order of VTK_VOXEL, of the cell whose vertex 0 is \a point.
+  /// Returns the point id of \a vertex, 0 to 7 in the order of VTK_VOXEL, of the cell whose vertex
+  /// 0 is \a point.
   vtkIdType GetVertex(vtkIdType point, int vertex) const
   {
     return point + (vertex & 1) + ((vertex >> 1) & 1) * this->GetStep(1) +
@@ -92,7 +93,7 @@ public:
   int GetAxis(vtkIdType a, vtkIdType b) const
   {
     const vtkIdType step = a < b ? b - a : a - b;
-    // An axis with one point has no neighbors, but its step may equal the step of the next axis.
+    // An axis with one point must be skipped because its step may equal that of the next axis.
     return this->GridNk > 1 && step == this->GetStep(2) ? 2
       : this->GridNj > 1 && step == this->GetStep(1)    ? 1
                                                         : 0;

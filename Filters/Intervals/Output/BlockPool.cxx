@@ -31,9 +31,9 @@ struct BlockPool::Store
     }
   }
 
-  // Removes and returns the idle block that fits best: the smallest one that is large enough but at
-  // most twice the size, otherwise the largest one of at least half the size. Returns an empty
-  // block if there is no such block.
+  // Removes and returns the idle block that fits best: the smallest one of at least \a bytes and at
+  // most twice as much, otherwise the largest one of at least half as much. Returns an empty block
+  // if there is no such block.
   Block Remove(std::size_t bytes)
   {
     auto best = this->Idle.end();
@@ -66,8 +66,8 @@ struct BlockPool::Store
     this->Reused += std::min(bytes, block.Capacity);
     if (block.Capacity < bytes)
     {
-      // The margin occupies no pages until it is used. It lets the block serve slightly larger
-      // requests later. For a large block, realloc() remaps the pages instead of copying them.
+      // The margin lets the block serve slightly larger requests later. It occupies no memory until
+      // it is used. For a large block, realloc() remaps the pages without copying them.
       const std::size_t capacity = bytes + bytes / 8;
       void* const memory = std::realloc(block.Memory, capacity);
       if (!memory)
@@ -90,7 +90,7 @@ struct BlockPool::Store
 
 namespace
 {
-// Allocating a smaller block is as fast as searching the pool.
+// Smaller blocks are not pooled, since allocating them is as fast as searching the pool.
 constexpr std::size_t MinimumBytes = std::size_t(1) << 16;
 
 thread_local BlockPool* Current = nullptr;

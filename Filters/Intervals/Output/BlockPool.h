@@ -14,14 +14,14 @@ namespace interlume
  *
  * The operating system clears every page of a new block, which takes a large part of the time of a
  * repeated extraction. A pooled block keeps its pages. The last array to release a block returns it
- * to the pool; any thread may do so. A later request of a similar size reuses it. A reused block
+ * to the pool; any thread may do so. A later request of a similar size reuses the block, which then
  * holds stale values.
  */
 class BlockPool
 {
 public:
-  /// Allocates the calling thread's blocks from a pool during the lifetime of this object. The pool
-  /// may be null.
+  /// During the lifetime of this object, Acquire() takes the blocks of the calling thread from a
+  /// pool. The pool may be null.
   class Use
   {
   public:
@@ -44,10 +44,11 @@ public:
   /// if \a bytes is below the minimum of 64 KiB.
   static void* Acquire(std::size_t bytes);
 
-  /// Returns true if Acquire() returned this block.
+  /// Returns true if the block came from Acquire() and has not been released.
   static bool IsPooled(void* block);
 
-  /// Returns a block to its pool, or frees it if it is not a pooled block. The block may be null.
+  /// Returns a block to its pool. Frees it if it is not pooled or if its pool no longer exists. The
+  /// block may be null.
   static void Release(void* block);
 
   /// Resets the counts at the start of an execution.

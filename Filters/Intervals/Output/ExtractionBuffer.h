@@ -20,7 +20,7 @@ namespace interlume
  * @brief   array of trivial values without redundant initialization
  *
  * Unlike std::vector, it leaves new values uninitialized. If zeros are requested, the operating
- * system clears each page on first access, and thus in the thread that uses the page.
+ * system clears each page on first access, in the thread that uses the page.
  */
 template <typename T>
 class ExtractionBuffer

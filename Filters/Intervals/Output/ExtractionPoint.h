@@ -9,8 +9,7 @@ namespace interlume
 
 /**
  * Origin of an output point: a grid point if Near equals Far, otherwise the point at parameter
- * Weight on the edge from Near to Far. Near is the end closer to the isovalue, so that Weight <=
- * 1/2.
+ * Weight on the edge from Near to Far. Near is the end closer to the point, so that Weight <= 1/2.
  */
 struct ExtractionPoint
 {

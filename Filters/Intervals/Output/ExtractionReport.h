@@ -39,26 +39,26 @@ struct ExtractionReport
   vtkIdType BlankedCells = 0;
   /// Number of quadratic and higher-order cells treated as linear.
   vtkIdType LinearizedCells = 0;
-  /// Number of split polyhedra with overlapping parts: some faces are not visible from the mean of
-  /// the points.
+  /// Number of split polyhedra whose parts overlap because some faces are not visible from the mean
+  /// of the polyhedron's points.
   vtkIdType ConcavePolyhedra = 0;
-  /// Number of cells whose type has no three-dimensional linear counterpart.
+  /// Number of cells skipped because their type has no three-dimensional linear counterpart.
   vtkIdType UnsupportedCells = 0;
   /// Number of folded cells with output. The Jacobian of a folded cell is positive at some corners
-  /// and negative at others, for example in a hexahedron with the point order of a voxel. In
-  /// rectilinear grids, the number of cells where coordinates repeat or reverse direction.
+  /// and negative at others, for example in a hexahedron with the point order of a voxel. In a
+  /// rectilinear grid, cells are folded where coordinates repeat or reverse direction.
   vtkIdType FoldedCells = 0;
   /// For AMR input: number of cells with output that are not blanked although finer cells cover
-  /// them, and number of faces between two levels that an isovalue crosses. The surfaces of the two
-  /// levels do not meet at such faces.
+  /// them, and number of faces between two levels that an isovalue crosses. At such faces, the
+  /// surfaces of the two levels do not meet.
   vtkIdType CoveredCells = 0;
   vtkIdType LevelFaces = 0;
-  /// Number of simplices of table cases that were omitted because they are degenerate: values equal
-  /// a bound, or points of a cell coincide.
+  /// Number of simplices of table cases that were omitted because they are degenerate, where values
+  /// equal a bound or points of a cell coincide.
   vtkIdType CollapsedSimplices = 0;
-  /// Number of cells inside an interval that are passed through uncut, and number of non-planar
+  /// Number of cells inside an interval that are copied uncut, and number of non-planar
   /// quadrilaterals between such a cell and tetrahedra of the same interval. At a non-planar face,
-  /// a view ray may encounter a gap or an overlap. 0 if KeepInteriorCells is off.
+  /// a view ray may encounter a gap or an overlap. Both are 0 if KeepInteriorCells is off.
   vtkIdType InteriorCells = 0;
   vtkIdType NonPlanarFaces = 0;
   /// Number of interpolated point arrays (excluding coordinates) and of copied cell arrays.
@@ -68,9 +68,9 @@ struct ExtractionReport
   int Passes = 0;
   /// Peak size of the working memory in bytes, excluding input and output.
   vtkIdType WorkingBytes = 0;
-  /// With ReuseMemory: number of bytes that this execution reused from pooled blocks for outputs
-  /// and working memory, and size of the blocks idle at its end. Blocks below 64 KiB are not
-  /// pooled.
+  /// If ReuseMemory is on: number of bytes in pooled blocks that this execution reused for outputs
+  /// and working memory, and size in bytes of the blocks that are idle at its end. Blocks below 64
+  /// KiB are not pooled.
   vtkIdType ReusedBytes = 0;
   vtkIdType IdleBytes = 0;
   /// Number of cells with output per process if the filter's ReportBalance is on and each process
@@ -82,7 +82,8 @@ struct ExtractionReport
   /// zeros.
   double GetBalance() const;
 
-  /// Adds the counts of cells and simplices. For every other value, takes the maximum.
+  /// Adds the numbers of cells, faces and simplices. Takes the maximum of the other values, except
+  /// CellsPerProcess, which is unchanged.
   void Add(const ExtractionReport& other);
   /// Copies all values and the balance to \a report.
   void CopyTo(vtkInterlumeReport* report) const;

@@ -20,7 +20,7 @@ Out Between(double near, double far, double weight)
     return static_cast<Out>(near);
   }
   const double step = far - near;
-  // The difference of two finite values may overflow.
+  // The difference may overflow although both values are finite.
   return static_cast<Out>(
     std::isfinite(step) ? near + weight * step : near * (1.0 - weight) + far * weight);
 }

@@ -14,20 +14,18 @@ namespace interlume
 
 /**
  * @class   OppositePairs
- * @brief   finds pairs of simplices with the same points and opposite orientation
- *
- * Such pairs cancel.
+ * @brief   finds and removes pairs of simplices with the same points and opposite orientation
  */
 class OppositePairs
 {
 public:
-  /// A simplex with its ids in ascending order. The ids may include a group number, so that only
-  /// simplices of the same group match.
+  /// A simplex, with its point ids in ascending order as its key. A group number may precede the
+  /// ids, so that only simplices of the same group match.
   template <typename Id, std::size_t Size>
   struct Entry
   {
     std::array<Id, Size> Key;
-    /// If true, sorting the ids took an odd number of exchanges.
+    /// If true, sorting the point ids took an odd number of swaps.
     bool IsOdd;
     std::size_t Index;
 
@@ -37,7 +35,7 @@ public:
     }
   };
 
-  /// Sorts \a number ids. Returns true if sorting took an odd number of exchanges.
+  /// Sorts \a number ids. Returns true if sorting took an odd number of swaps.
   template <typename Id>
   static bool Sort(Id* ids, int number)
   {
@@ -56,8 +54,8 @@ public:
     return isOdd;
   }
 
-  /// Sorts the entries and calls remove(index) for both simplices of each pair. Among identical
-  /// simplices, those with the lowest indices are removed.
+  /// Sorts the entries and calls remove(index) for both simplices of each pair. If several
+  /// simplices have the same points and orientation, those with the lowest indices are removed.
   template <typename Id, std::size_t Size, typename Remover>
   static void Find(std::vector<Entry<Id, Size>>& entries, Remover&& remove)
   {
@@ -79,7 +77,8 @@ public:
     }
   }
 
-  /// Removes the pairs from a list of simplices. The first \a Size ids of a simplex are its points.
+  /// Removes the pairs from a list of simplices. The first \a Size values of each simplex are its
+  /// point ids.
   template <std::size_t Size, typename Simplex>
   static void Remove(std::vector<Simplex>& simplices)
   {
@@ -117,8 +116,8 @@ public:
   }
 
 private:
-  // Returns true if two simplices may have the same points. This quick test rejects most lists
-  // because duplicates are rare.
+  // Returns true if any two simplices may have the same points. This quick test rejects most
+  // lists because duplicates are rare.
   template <std::size_t Size, typename Simplex>
   static bool MayHaveEqual(const std::vector<Simplex>& simplices)
   {

@@ -26,7 +26,7 @@ void SetPooledMemory(vtkDataArray* array, void* pooled, vtkIdType values)
 void OutputAllocation::PreferLargePages(void* memory, std::size_t bytes)
 {
 #if defined(__linux__)
-  // Restrict the request to large pages inside the block. The memory around it has other owners.
+  // Restrict the request to the large pages that are entirely inside the block.
   constexpr std::uintptr_t page = std::uintptr_t(1) << 21;
   const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t before = (page - address % page) % page;

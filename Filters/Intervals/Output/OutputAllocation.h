@@ -13,16 +13,16 @@ namespace interlume
 
 /**
  * @class   OutputAllocation
- * @brief   memory for arrays that are about to be written
+ * @brief   memory allocation for output arrays
  *
- * A large extraction would spend most of its time in page faults, one per 4 KiB of output. Large
- * pages and pooled blocks reduce them. Values are not affected.
+ * With default allocation, a large extraction would spend most of its time in page faults, one per
+ * 4 KiB of output. Large pages and pooled blocks reduce the number of page faults.
  */
 class OutputAllocation
 {
 public:
   /// Requests large pages within [memory, memory + bytes) if the system supports them. Call this
-  /// before the first access. Small blocks are not affected.
+  /// before the first access. Has no effect on small blocks.
   static void PreferLargePages(void* memory, std::size_t bytes);
   /// Requests large pages for the values of an array whose size is already set.
   static void PreferLargePages(vtkDataArray* array);

@@ -47,7 +47,7 @@ public:
   /// Returns the number of retained items.
   vtkIdType GetNumber() const { return this->Number; }
 
-  /// Moves the retained tuples of \a size values to the front, in parallel for large arrays.
+  /// Moves the retained tuples, of \a size values each, to the front, in parallel for large arrays.
   template <typename T>
   void Compact(T* values, vtkIdType size) const
   {
@@ -58,8 +58,8 @@ public:
     this->Compact(values, size, std::max<vtkIdType>(parts, 1));
   }
 
-  /// Moves the retained tuples in parallel, divided into \a parts parts. Each part first copies the
-  /// tuples that it would read from the destination of another part to a buffer.
+  /// Moves the retained tuples in parallel, in \a parts parts. First, each part buffers those of
+  /// its tuples that other parts may overwrite.
   template <typename T>
   void Compact(T* values, vtkIdType size, vtkIdType parts) const
   {
@@ -80,8 +80,8 @@ public:
     vtkSMPTools::For(0, parts,
       [&](vtkIdType first, vtkIdType last)
       {
-        // No part may depend on an earlier one. The reverse order exposes such a dependency to
-        // tests that run one thread.
+        // The parts must be independent. In forward order, single-threaded tests would not detect a
+        // dependency between them.
         for (vtkIdType p = last; p-- > first;)
         {
           const Part<T>& part = all[p];
@@ -117,7 +117,8 @@ private:
     vtkIdType NewFirst;
   };
 
-  // The destination [First, Last) of one thread. Tuples from BufferBegin on come from the buffer.
+  // The destination range [First, Last) of one part. The tuples [BufferBegin, Last) are read from
+  // the buffer.
   template <typename T>
   struct Part
   {
@@ -161,7 +162,7 @@ private:
       const vtkIdType from = run->First + first - run->NewFirst;
       const vtkIdType number = std::min(run->Last - from, last - first);
       const T* const tuples = values + from * size;
-      // Skip a range that is already at its destination.
+      // Skip a range that does not move.
       out = out == tuples ? out + number * size : std::copy_n(tuples, number * size, out);
       first += number;
     }

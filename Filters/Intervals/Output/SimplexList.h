@@ -29,11 +29,10 @@ namespace interlume
  * @brief   point ids of tetrahedra or triangles, stored in 32 bits if they fit
  *
  * Interior cells, which have any number of points and are passed through uncut, may follow the
- * simplices. The position of such a cell is the index of its first id among the ids of all interior
- * cells.
+ * simplices.
  *
  * 32 bits suffice unless a point id or the length of the list exceeds 2^31 - 1. The vtkCellArray
- * built from the list has the same width. Writing half the bytes takes half the time.
+ * built from the list uses the same type. Writing half the bytes takes half the time.
  */
 class SimplexList
 {
@@ -75,8 +74,7 @@ public:
   vtkIdType GetNumber() const { return this->Number; }
   vtkIdType GetNumberOfInteriorCells() const { return this->NumberOfInteriorCells; }
 
-  /// Returns the number of ids of all cells, and the id at an index. The ids of interior cells come
-  /// last.
+  /// Returns the number of ids of all cells, including interior cells.
   vtkIdType GetNumberOfIds() const
   {
     vtkIdType number = 0;
@@ -122,7 +120,7 @@ public:
       });
   }
 
-  /// Writes an interior cell whose ids begin at position \a position.
+  /// Writes an interior cell. Its ids start at \a position in the ids of all interior cells.
   void WriteInteriorCell(vtkIdType cell, vtkIdType position, const vtkIdType* ids, int number)
   {
     const vtkIdType first = this->Number * this->Size + position;
@@ -142,8 +140,8 @@ public:
     return this->GetIdAt(simplex * this->Size + point);
   }
 
-  /// Writes \a number simplices, beginning at index \a first. The simplices consist of slots, and
-  /// \a ids holds the id of each slot.
+  /// Writes \a number simplices, starting at index \a first. Their corners are slots of an
+  /// isotable, and \a ids contains the point id of each slot.
   void Write(vtkIdType first, const vtkIsotable::Simplex* simplices, std::size_t number,
     const vtkIdType* ids, bool isInverted)
   {
@@ -155,14 +153,14 @@ public:
       });
   }
 
-  /// Writes \a cells copies of the \a number simplices before \a first. Each copy has the ids of
-  /// the previous one plus 1.
+  /// Repeats the \a number simplices before index \a first, \a cells times. Each repetition
+  /// increases all ids by 1.
   void WriteNext(vtkIdType first, std::size_t number, vtkIdType cells)
   {
     const int ids = static_cast<int>(number) * this->Size;
     const vtkIdType position = first * this->Size;
-    // Short runs are not streamed because the next run begins by reading the last ids from the
-    // cache.
+    // Do not stream short runs: the next run starts by reading the last ids, which should still be
+    // in the cache.
     constexpr vtkIdType minimumCells = 4;
     if (this->IsStreamed && cells >= minimumCells)
     {
@@ -185,7 +183,7 @@ public:
       });
   }
 
-  /// Writes all simplices with consecutive ids, so that no two simplices share a point.
+  /// Numbers the points of all simplices consecutively, so that no two simplices share a point.
   void NumberConsecutively()
   {
     this->Visit(
@@ -202,20 +200,20 @@ public:
       });
   }
 
-  /// Removes all simplices except the retained ones.
+  /// Moves the retained simplices to the front. Call Truncate() to remove the rest.
   void Keep(const RetainedIdRanges& retained)
   {
     this->Visit([&](auto* values) { retained.Compact(values, this->Size); });
   }
 
-  /// Calls \a visit(ids) with the ids of all cells, in their storage type.
+  /// Calls \a visit(ids) with a pointer to the ids of all cells, as 32-bit or 64-bit integers.
   template <typename Visitor>
   void Visit(Visitor&& visit) const
   {
     this->VisitList([&visit](const auto& list) { visit(list.Ids); });
   }
 
-  /// Calls \a visit(id) for the points of all cells in parallel.
+  /// Calls \a visit(id) for each id of each cell, in parallel.
   template <typename Visitor>
   void ForEachId(Visitor&& visit)
   {
@@ -343,7 +341,7 @@ private:
       StridedIdBlock::IsStreamed(this->Narrow.Ids, this->Number);
   }
 
-  // Visits the list in use.
+  // Calls visit(list) for the list in use, if any.
   template <typename Visitor>
   void VisitList(Visitor&& visit) const
   {
@@ -372,7 +370,7 @@ private:
     this->FindIds();
   }
 
-  // Visits the ids and the offsets. Requires interior cells.
+  // Calls visit(ids, offsets). Requires interior cells.
   template <typename Visitor>
   void VisitAll(Visitor&& visit) const
   {
@@ -409,7 +407,7 @@ private:
     return offsets;
   }
 
-  // Fills the offsets of the simplices. The offsets of interior cells are already set.
+  // Returns the offsets of all cells. Those of interior cells are already set.
   template <typename Array>
   vtkSmartPointer<Array> MakeOffsets(const vtkSmartPointer<Array>& interiorOffsets) const
   {
@@ -428,7 +426,7 @@ private:
   vtkIdType Number = 0;
   int Size = 4;
   vtkIdType NumberOfInteriorCells = 0;
-  // Only one of these lists is in use.
+  // At most one of these lists is in use.
   IdList<vtkTypeInt32Array> Narrow;
   IdList<vtkTypeInt64Array> Wide;
   // If true, runs of ids are written without loading them into the cache.

@@ -16,13 +16,14 @@ namespace interlume
 
 /**
  * @class   StridedIdBlock
- * @brief   ids of cells along a row, each with the ids of the previous cell plus 1
+ * @brief   writes point ids of cells along a row, where each cell has the ids of the previous cell
+ *          plus 1
  */
 class StridedIdBlock
 {
 public:
-  /// Writes \a number ids for each of \a cells cells, starting from the ids of the cell stored
-  /// before \a out.
+  /// Writes \a number ids for each of \a cells cells, continuing from the cell whose ids are stored
+  /// just before \a out.
   template <typename Id>
   static void Write(Id* out, int number, vtkIdType cells)
   {
@@ -70,7 +71,7 @@ public:
   }
 
   /// Returns true if Stream() can and should write a list of \a number tetrahedra. A long list does
-  /// not remain in the cache, so loading its cache lines before writing them is wasted.
+  /// not fit in the cache, so loading its cache lines before writing them would be wasted.
   static bool IsStreamed(const vtkTypeInt32* ids, vtkIdType number)
   {
 #if defined(INTERLUME_HAS_STREAMS)
@@ -83,7 +84,7 @@ public:
 #endif
   }
 
-  /// Writes the same ids as Write(), for tetrahedra, bypassing the cache.
+  /// Same as Write(), but for tetrahedra only, and bypassing the cache if possible.
   static void Stream(vtkTypeInt32* out, int number, vtkIdType cells)
   {
 #if defined(INTERLUME_HAS_STREAMS)

@@ -18,12 +18,12 @@ namespace interlume
 
 /**
  * @class   TiedFaces
- * @brief   finds boundary cells, of \a Corners points each, that are faces of simplices
+ * @brief   determines which boundary cells, of \a Corners points each, are faces of simplices
  *
- * If values equal a bound, boundary cells may occur in opposite pairs that enclose no volume, or
- * bound a degenerate region. Add() adds boundary cells with their group. Cancel() removes pairs
- * with the same points and opposite orientation. Count() accepts the faces of all nearby simplices,
- * from several threads. Visit() reports the result.
+ * If values equal a bound, two boundary cells with the same points and opposite orientation may
+ * enclose no volume, and others may bound a degenerate region. Call Add() for all boundary cells,
+ * Cancel() to remove opposite pairs, Count() for the faces of all simplices that are near boundary
+ * cells, and Visit() to get the result. Count() is thread-safe.
  */
 template <int Corners>
 class TiedFaces
@@ -42,7 +42,7 @@ public:
     this->Entries.push_back(MakeEntry(group, ids, index));
   }
 
-  /// Removes pairs within a group, and calls remove(index) for both cells.
+  /// Removes opposite pairs of the same group, and calls remove(index) for both cells.
   template <typename Remover>
   void Cancel(Remover&& remove)
   {
@@ -63,15 +63,15 @@ public:
     this->Uses = std::vector<Use>(this->Entries.size());
   }
 
-  /// Returns true if at least \a Corners of the points belong to boundary cells, so that a face may
-  /// be a boundary cell.
+  /// Returns true if at least \a Corners points of a cell belong to boundary cells, so that one of
+  /// its faces may be a boundary cell.
   bool IsNear(const vtkIdType* ids, int number) const
   {
     return std::count_if(ids, ids + number, [this](vtkIdType id) { return this->Near[id]; }) >=
       Corners;
   }
 
-  /// Counts an outward-oriented face of a simplex.
+  /// Counts an outward-oriented face of a simplex if it has the points of a boundary cell.
   void Count(vtkIdType group, const vtkIdType* face, vtkIdType simplex)
   {
     const Entry target = MakeEntry(group, face, 0);
@@ -83,8 +83,8 @@ public:
   }
 
   /// Calls visit(index, isFace, simplex) for the cells remaining after Cancel(). \a isFace is true
-  /// if more of the counted faces have the orientation of the cell than the opposite orientation.
-  /// \a simplex is the first simplex with that face.
+  /// if more of the counted faces have the same orientation as the cell than the opposite one.
+  /// \a simplex is then the first simplex with such a face.
   template <typename Visitor>
   void Visit(Visitor&& visit) const
   {
@@ -122,7 +122,7 @@ private:
   }
 
   std::vector<bool> Near;
-  // The boundary cells, sorted after Cancel().
+  // The boundary cells, sorted by Cancel().
   std::vector<Entry> Entries;
   std::vector<Use> Uses;
 };

@@ -41,7 +41,7 @@ void RemoveSimplices(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed
   mesh.TruncateSimplices(retained.GetNumber());
 }
 
-// Removes the marked interior cells after \a removedSimplices simplices were removed.
+// Removes the marked interior cells. \a removedSimplices simplices were removed before.
 void RemoveInteriorCells(
   ExtractionMesh& mesh, const std::vector<bool>& isRemoved, vtkIdType removedSimplices)
 {
@@ -102,10 +102,10 @@ void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
   }
 }
 
-// Recomputes the marks of the points in use.
+// Recomputes \a mesh.Used, the marks of the points that cells use.
 void MarkUsed(ExtractionMesh& mesh)
 {
-  // If the mesh has no list of points, the marks already exist and define the number of points.
+  // If the mesh has no list of points, the existing marks define the number of points.
   const std::size_t listed = mesh.Points.GetSize();
   mesh.Used.AllocateZeros(listed > 0 ? listed : mesh.Used.GetSize());
   const auto use = [used = mesh.Used.GetData()](vtkIdType id)
@@ -117,7 +117,7 @@ void MarkUsed(ExtractionMesh& mesh)
   }
 }
 
-// Marks the points of the remaining tied simplices, which are not marked yet.
+// Marks the points of the tied simplices that are not in \a removed.
 void MarkTied(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed, int size)
 {
   auto nextRemoved = removed.begin();

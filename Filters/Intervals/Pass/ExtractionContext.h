@@ -52,12 +52,13 @@ struct ExtractionMesh
   vtkNew<vtkIntArray> TriangleItemIds;
   vtkNew<vtkIntArray> TriangleSides;
   std::vector<vtkIdType> TriangleCellIds;
-  /// Boundary triangles of cells where values equal a bound, in increasing order. They may cancel
-  /// each other, or bound a region of zero volume.
+  /// Indices, in increasing order, of the boundary triangles of cells where values equal a bound.
+  /// These triangles may cancel each other, or bound a region of zero volume.
   std::vector<vtkIdType> TiedTriangles;
-  /// Tetrahedra, or contour triangles, that lie in a face of a cell where values equal a bound.
+  /// Indices of flat tetrahedra, or of contour triangles, in a face of an input cell where values
+  /// equal a bound.
   std::vector<vtkIdType> TiedSimplices;
-  /// For each boundary triangle, the interior cell that it is a face of, or -1. Interior cells are
+  /// For each boundary triangle, the interior cell that has it as a face, or -1. Interior cells are
   /// numbered after the simplices. Empty if no triangle is a face of an interior cell.
   std::vector<vtkIdType> TriangleInteriorCells;
 
@@ -92,14 +93,14 @@ struct ExtractionMesh
     }
   }
 
-  /// Writes the item and the cell of all simplices of one case.
+  /// Records the item and the input cell of \a number simplices, starting at index \a first.
   void NoteSimplices(vtkIdType first, std::size_t number, int item, vtkIdType cell)
   {
     this->NoteRun(first, number, 1, item, cell);
   }
 
-  /// Writes the item and the cell of the simplices of \a cells successive cells, starting at \a
-  /// cell, with \a number simplices each.
+  /// Same as NoteSimplices(), but for \a cells successive input cells, starting at \a cell, with \a
+  /// number simplices each.
   void NoteRun(vtkIdType first, std::size_t number, vtkIdType cells, int item, vtkIdType cell)
   {
     const vtkIdType step = static_cast<vtkIdType>(number);
@@ -113,7 +114,8 @@ struct ExtractionMesh
     }
   }
 
-  /// Writes an interior cell, whose ids start at index \a position.
+  /// Writes an interior cell, with index \a whole among the interior cells. Its point ids start at
+  /// \a position in the ids of all interior cells.
   void WriteInteriorCell(vtkIdType whole, vtkIdType position, unsigned char type,
     const vtkIdType* ids, int number, int item, vtkIdType cell)
   {
@@ -138,7 +140,8 @@ struct ExtractionMesh
     this->Simplices.Truncate(number);
   }
 
-  /// Writes a boundary triangle. \a ids are in the order that is outward in a right-handed cell.
+  /// Writes a boundary triangle. \a ids are ordered outward if the input cell is right-handed;
+  /// \a isInverted is true if it is left-handed.
   void WriteTriangle(vtkIdType triangle, const std::array<vtkIdType, 3>& ids, bool isInverted,
     int item, int side, vtkIdType cell)
   {
@@ -152,8 +155,8 @@ struct ExtractionMesh
     }
   }
 
-  /// A mark per point, set if a simplex uses the point; empty if all points are used. Tied
-  /// simplices set their marks only after they have been compared.
+  /// A mark per point, set if an output cell uses it; empty if all points are used. The points of
+  /// tied simplices are marked after opposite pairs have been found.
   ExtractionBuffer<std::atomic<unsigned char>> Used;
 };
 
@@ -172,16 +175,16 @@ struct ExtractionContext : Blanking
   ExtractionIndex* Index = nullptr;
   /// Selects interior cells; null if interior cells are cut too.
   const InteriorCellFilter* InteriorFilter = nullptr;
-  /// Receives the corners of triangles that share no points, instead of the mesh; null if points
-  /// are shared.
+  /// If triangles share no points, their corners are stored here instead of in the mesh; otherwise
+  /// null.
   PointArrays* Unshared = nullptr;
-  /// Receives the points of the mesh if no list of all points is needed; otherwise null.
+  /// If ExtractionMesh::Points is not needed, the points are stored here instead; otherwise null.
   PointArrays* Arrays = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
   /// If true, tetrahedra keep their stored orientation. Otherwise the orientation is computed from
-  /// the coordinates. Tetrahedra of a previous extraction may be inverted; then signed sums rely on
-  /// their orientation.
+  /// the coordinates. A previous extraction may produce inverted tetrahedra, and sums of signed
+  /// volumes are correct only if these remain inverted.
   bool KeepOrientation = false;
   /// If true, ghost cells are extracted too (see GhostCells).
   bool IncludeGhostCells = false;
@@ -201,8 +204,8 @@ struct ExtractionContext : Blanking
   int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }
 
   /**
-   * Runs \a work(first, last) over [0, number) in parallel, in a few batches. Progress advances
-   * from \a from to \a to between batches. Returns false if the user aborted.
+   * Runs \a work(first, last) over [0, number) in parallel, in a few batches. Updates the progress,
+   * from \a from to \a to, after each batch. Returns false if the user aborted.
    */
   template <typename Work>
   bool Run(vtkIdType number, double from, double to, Work&& work) const

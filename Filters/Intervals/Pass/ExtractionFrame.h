@@ -21,7 +21,7 @@ namespace interlume
  * - bool Classify(): computes the codes of the points. Like Settle(), it returns false if the user
  *   aborted.
  * - void CountPart(vtkIdType part, Local&): counts the output of a part.
- * - bool Settle(): performs work that depends on the counts of all parts.
+ * - bool Settle(): does the work that depends on the counts of all parts.
  * - void Allocate(): converts counts to offsets and allocates the output.
  * - void WritePart(vtkIdType part, Local&): writes the output of a part.
  * - void Finish(): gathers the results of parts and threads.

@@ -23,9 +23,9 @@ class ExtractionValues;
  * @brief   value ranges of blocks of cells, used to skip blocks that no isovalue intersects
  *
  * Blocks have 8 x 4 x 4 cells in structured grids and 16 successive cells in other grids. The index
- * of a dataset is built at its second extraction, since building visits all cells. It is cached
- * until the dataset or the scalar changes. One object serves all leaves of a composite dataset. It
- * also caches the linear replacement of a grid of polyhedra.
+ * of a dataset is built at its second extraction, since building it visits all cells. It is cached
+ * until the dataset or the scalar array changes. One object serves all leaves of a composite
+ * dataset. It also caches the grids that replace grids with polyhedra (see ExtractionLinearizer).
  */
 class ExtractionIndex : public vtkObject
 {
@@ -33,7 +33,7 @@ public:
   static ExtractionIndex* New();
   vtkTypeMacro(ExtractionIndex, vtkObject);
 
-  /// The columns [first, last) of a row of cells.
+  /// A range of columns [first, last) in a row of cells.
   using Span = std::array<vtkIdType, 2>;
   static constexpr vtkIdType RunLength = 16;
 
@@ -56,21 +56,22 @@ public:
 
   /**
    * Selects the ranges of \a input and builds them if needed. Returns false at the first extraction
-   * of the scalar, or if the scalar or the cells have changed; then no other function may be
+   * of the scalar array, or if the array or the cells have changed; then Activate() must not be
    * called. \a dimensions is null unless the grid is structured.
    */
   bool Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions);
 
-  /// Determines the active blocks, whose ranges overlap an interval or value.
+  /// Determines the active blocks, whose ranges overlap an interval or contain an isovalue.
   void Activate(const ExtractionValues& values);
 
   ///@{
   /**
-   * Find the rows of cells, and the cells of a row, that may have output. Only for structured
-   * grids, after Activate(). Rows are numbered as in StructuredExtraction: j + k * (nj - 1).
+   * Return whether a row of cells may have output, and append the ranges of its cells that may have
+   * output to \a spans. Only for structured grids, after Activate(). Rows are numbered as in
+   * StructuredExtraction: j + k * (nj - 1).
    */
   bool IsRowActive(vtkIdType cellRow) const;
-  /// Returns the fraction of active block rows.
+  /// Returns the fraction of rows of blocks that contain an active block.
   double GetActiveFraction() const;
   void GetActiveSpans(vtkIdType cellRow, std::vector<Span>& spans) const;
   ///@}
@@ -79,7 +80,7 @@ public:
   /// at cell RunLength * run. Only for grids that are not structured, after Activate().
   bool IsRunActive(vtkIdType run) const { return this->Active[run] != 0; }
 
-  /// Returns the size of all ranges in bytes.
+  /// Returns the memory used by all ranges, in bytes.
   std::size_t GetBytes() const;
 
 protected:
@@ -92,7 +93,7 @@ private:
 
   struct Ranges
   {
-    // Modification times of the data, which are unique in the process.
+    // Modification times of the scalars and the cells. VTK's modification times are unique.
     vtkMTimeType ScalarTime = 0;
     vtkMTimeType CellTime = 0;
     std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };

@@ -15,12 +15,11 @@ struct GridCellRange;
 
 /**
  * @class   GhostCells
- * @brief   extraction with ghost cells, so that a piece matches the full grid where values equal
- * isovalues
+ * @brief   extraction from ghost cells, so that pieces have the same output as the full grid
  *
- * If values equal an isovalue throughout a face, the output there depends on the cells on both
- * sides. In this case ghost cells are extracted too, and their output is removed after such faces
- * are resolved. Otherwise ghost cells are not visited.
+ * If all values on a face equal an isovalue, the output on that face depends on the cells on both
+ * sides. In this case ghost cells are extracted too, and their output is removed after the cleanup
+ * of such faces. Otherwise ghost cells are not visited.
  */
 class GhostCells
 {
@@ -34,20 +33,19 @@ public:
     return blanking.IsCellBlanked(cell) && !blanking.IsCellHidden(cell);
   }
 
-  /// Sets the ghost arrays of a dataset. The point ghost array is dropped if it hides no points,
-  /// since testing points shared with other pieces would slow down every cell.
+  /// Sets the ghost arrays in \a blanking to those of \a data. Leaves out a point ghost array that
+  /// hides no points, since testing the points of every cell would be slow.
   static void SetBlanking(vtkDataSet* data, Blanking& blanking);
 
-  /// Returns whether a value equals an isovalue, or is not finite, at a corner of a ghost cell.
-  /// Extractions from structured grids check this themselves.
+  /// Returns whether the value at any corner of a ghost cell equals an isovalue or is not finite.
+  /// Used for unstructured grids.
   static bool AreTied(const ExtractionContext& context);
 
-  /// Same as AreTied(), but for all cells outside a window of a structured grid, including hidden
-  /// cells.
+  /// Same as AreTied(), but for all cells outside a window of a structured grid, hidden or not.
   static bool AreTiedOutside(
     const ExtractionContext& context, const int dimensions[3], const GridCellRange& window);
 
-  /// Removes the output of ghost cells and counts the cells as skipped.
+  /// Removes the output of ghost cells and counts these cells as blanked.
   static void Remove(const ExtractionContext& context, ExtractionMesh& mesh);
 };
 

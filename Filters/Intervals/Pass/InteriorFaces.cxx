@@ -43,8 +43,8 @@ template <typename T>
 vtkIdType Count(const ExtractionContext& context, const ExtractionMesh& mesh, const T* points)
 {
   const SimplexList& cells = mesh.Simplices;
-  // Consider only faces with at least three points that tetrahedra use. If values equal a bound, a
-  // tetrahedron may cover only one of the two triangles of a face.
+  // Consider only faces with at least three points that tetrahedra use. Three are enough because,
+  // if values equal a bound, a tetrahedron may cover only one of the two triangles of a face.
   ExtractionBuffer<std::atomic<unsigned char>> isCut;
   isCut.AllocateZeros(mesh.Points.GetSize());
   cells.Visit(
@@ -99,8 +99,8 @@ vtkIdType Count(const ExtractionContext& context, const ExtractionMesh& mesh, co
     return 0;
   }
   TiedFaces<3> faces(mesh.Points.GetSize());
-  // Each triangle has a unique index, so that only the triangles between two interior cells cancel.
-  // The two triangles of a face are consecutive.
+  // Cancel() removes the triangles between two interior cells. It identifies triangles by index, so
+  // each needs a unique one. The two triangles of a face are consecutive.
   std::size_t index = 0;
   for (const std::vector<Face>& list : found)
   {

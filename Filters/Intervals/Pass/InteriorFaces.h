@@ -40,8 +40,8 @@ public:
 
   /**
    * Returns the number of non-planar quadrilaterals between an interior cell and tetrahedra in the
-   * mesh of the first pass. \a points holds the coordinates of the mesh. The interior cell has one
-   * bilinear surface there, the tetrahedra have two triangles.
+   * mesh of the first pass. Such a face is a bilinear surface in the interior cell, but two
+   * triangles in the tetrahedra. \a points holds the coordinates of the mesh.
    */
   static vtkIdType CountNonPlanar(
     const ExtractionContext& context, const ExtractionMesh& mesh, vtkPoints* points);
@@ -140,7 +140,7 @@ private:
       });
   }
 
-  // Visits the faces of the cells that replace a polyhedron, except the faces at its center point.
+  // Visits the faces of the cells that replace a polyhedron, except those that contain its center.
   template <typename Visitor>
   void VisitParts(vtkIdType cell, const vtkIdType* ids, int number, Visitor&& visit) const
   {

@@ -31,8 +31,9 @@ public:
     return this->Marks.empty() ? nullptr : this->Marks.data();
   }
 
-  /// Returns a warning with the number of cells that are skipped because of these points and the
-  /// first such cell, or an empty string. \a grid may be the grid before polyhedra were replaced.
+  /// Returns a warning with the number of cells that are skipped because of these points, and the
+  /// first such cell. Returns an empty string if there are none. \a grid may be the grid before
+  /// polyhedra were replaced.
   /// Cells that are 4-simplices are included if \a hasSimplices is true.
   std::string Describe(vtkDataSet* grid, bool hasSimplices = false) const;
 

@@ -127,8 +127,8 @@ inline std::uint64_t GetWithNext(const Word* word)
   return word[0] | (static_cast<std::uint64_t>(word[1]) << BitRows::BitsOfWord);
 }
 
-/// Returns a mask of the bits that belong to the first \a number points of a row, in the word that
-/// starts at point \a first.
+/// Returns a mask for the word that starts at point \a first of a row. It contains the bits that
+/// belong to the first \a number points of the row.
 inline Word GetValid(vtkIdType first, vtkIdType number)
 {
   const vtkIdType left = number - first;
@@ -144,9 +144,9 @@ struct Owned
 };
 
 /**
- * Finds the owned points in word \a word of a row of \a number points. \a rows contains the bits of
- * the row and of its neighbors along j and k, or of the row itself if there is no neighbor. If \a
- * IsSpecial is false, only Above bits may be set.
+ * Finds the output points owned by the grid points of a word. \a word is its index in a row of
+ * \a number points. \a rows contains the row and its neighbors along j and k; a missing neighbor is
+ * replaced with the row itself. If \a IsSpecial is false, Ties and NonFinite bits must be 0.
  */
 template <bool IsSpecial>
 inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType number)
@@ -172,16 +172,17 @@ inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType numbe
   return owned;
 }
 
-/// Counts the points that FindOwned finds in a row.
+/// Counts the points that FindOwned() finds in all words of a row.
 vtkIdType CountOwned(const BitRows::Row* rows, vtkIdType number, bool isSpecial);
 
-/// Counts the cells, between four rows of \a number points, that have a corner with a NaN or
-/// infinite value. The rows are in the order j, then k.
+/// Counts the cells between four rows of \a number points that have a corner with a NaN or infinite
+/// value.
 vtkIdType CountNonFinite(const BitRows::Row* rows, vtkIdType number);
 
 /**
- * Finds the cells between four rows that have corners on both sides of the isovalue. Writes their
- * columns, in increasing order, and their case keys. Returns their number.
+ * Finds the cells between four rows that have corners on both sides of the isovalue. The rows are
+ * (j, k), (j + 1, k), (j, k + 1) and (j + 1, k + 1). Writes the columns of the cells, in increasing
+ * order, and their case keys. Returns the number of cells.
  */
 vtkIdType FindCells(
   const BitRows::Row* rows, vtkIdType number, std::uint32_t* columns, std::uint8_t* keys);

@@ -29,7 +29,7 @@ public:
   /// Bits of one row.
   struct Row
   {
-    /// Set if the value is not below the isovalue, or not finite.
+    /// Set if the value is not below the isovalue, or is not finite.
     Word* Above;
     /// Set if the value equals the isovalue.
     Word* Ties;

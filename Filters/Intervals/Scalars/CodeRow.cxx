@@ -16,7 +16,7 @@ void CodeRow::Fill(
   this->Codes = codes;
   this->IsFinite = scalars.Classify(point, number, codes);
   ExtractionKernels::FindEnds(codes, number, this->First, this->Last);
-  // Summarize the varying codes, and one of the equal codes at each end.
+  // It suffices to read the varying codes and one of the equal codes at each end.
   const vtkIdType begin = this->First - 1;
   const vtkIdType end = std::max(std::min<vtkIdType>(this->Last + 2, number), begin + 1);
   Code ties;

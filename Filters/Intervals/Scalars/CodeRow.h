@@ -23,8 +23,8 @@ struct CodeRow
   Code Maximum = 0;
   bool HasTies = false;
   bool IsFinite = true;
-  /// Range of varying codes: the codes before First equal the first code, the codes after Last
-  /// equal the last code.
+  /// Range of varying codes: all codes before First equal the first code of the row, and all codes
+  /// after Last equal the last code.
   std::int64_t First = 0;
   std::int64_t Last = 0;
   const Code* Codes = nullptr;

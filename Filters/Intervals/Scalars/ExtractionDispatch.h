@@ -13,9 +13,9 @@ namespace interlume
 
 /**
  * @class   ExtractionDispatch
- * @brief   calls a function with the values of a one-component array in their own type
+ * @brief   calls a function with a typed pointer to the values of an array
  *
- * \a scalars must be contiguous in memory. MakeContiguous copies other layouts.
+ * The array must be contiguous in memory. MakeContiguous() copies other arrays.
  */
 class ExtractionDispatch
 {
@@ -36,7 +36,7 @@ public:
     return result;
   }
 
-  /// Returns whether Execute can read the array directly.
+  /// Returns whether Execute() can read the array directly.
   static bool IsSupported(vtkDataArray* scalars)
   {
     return Execute(scalars, [](const auto*) { return true; });
@@ -53,7 +53,7 @@ public:
     return IsSupported(copy) ? copy : MakeCopy(array, VTK_DOUBLE);
   }
 
-  /// Returns a copy converted to the given data type.
+  /// Returns a copy converted to a VTK data type.
   static vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array, int dataType)
   {
     vtkSmartPointer<vtkDataArray> copy;

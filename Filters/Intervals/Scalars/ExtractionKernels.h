@@ -103,9 +103,9 @@ inline std::int64_t FindOdd(const Code* const rows[4], std::int64_t first, std::
 }
 
 /**
- * Finds the ends of the varying part of a row. \a first is the first index whose code differs from
- * the first code, \a last the last index whose code differs from the last code. If all codes are
- * equal, \a first is \a number and \a last is -1.
+ * Finds the range of a row in which codes vary. \a first is the first index whose code differs from
+ * the first code, and \a last is the last index whose code differs from the last code. If all codes
+ * are equal, \a first is \a number and \a last is -1.
  */
 inline void FindEnds(
   const Code* codes, std::int64_t number, std::int64_t& first, std::int64_t& last)
@@ -131,7 +131,7 @@ inline void FindEnds(
   }
 }
 
-/// Computes exclusive prefix sums of \a counts.
+/// Computes the exclusive prefix sums of \a counts.
 inline void FillStarts(const Code* INTERLUME_RESTRICT counts, std::int64_t number,
   std::uint32_t* INTERLUME_RESTRICT starts)
 {
@@ -158,7 +158,7 @@ inline void FillStarts(const Code* INTERLUME_RESTRICT counts, std::int64_t numbe
   }
 }
 
-/// Value that stands for the code of a cell if its corners have different codes.
+/// Used in place of the code of a cell whose corners have different codes.
 constexpr Code Mixed = 65535;
 }
 

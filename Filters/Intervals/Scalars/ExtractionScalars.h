@@ -52,7 +52,8 @@ public:
 
   /**
    * Computes the weights of edge points. On entry, Near < Far are the ends of the edge and Weight
-   * is the index of the isovalue. Points with Near equal to Far are left unchanged.
+   * is the index of the isovalue. On return, Near is the closer end. Points with Near equal to Far
+   * are left unchanged.
    */
   virtual void Place(ExtractionPoint* points, vtkIdType number) const = 0;
 };

@@ -45,13 +45,13 @@ public:
       return static_cast<std::uint8_t>((code >= this->First) + (code >= this->Second));
     }
 
-    /// Returns whether all codes from \a minimum to \a maximum have digit 1, for an interval.
+    /// For an interval: returns whether all codes in [minimum, maximum] are inside (digit 1).
     bool IsInside(Code minimum, Code maximum) const
     {
       return minimum >= this->First && maximum < this->Second;
     }
 
-    /// Returns the first code with the largest digit.
+    /// Returns the smallest code that has the largest digit.
     Code GetLast(vtkIsotable::Kinds kind) const
     {
       return kind == vtkIsotable::INTERVAL ? this->Second : this->First;
@@ -74,7 +74,7 @@ public:
   Code GetNonFiniteCode() const { return static_cast<Code>(2 * this->Values.size() + 1); }
   /// Returns the base of case keys.
   int GetBase() const { return this->Kind == vtkIsotable::INTERVAL ? 3 : 2; }
-  /// Returns whether an item has no output in a cell with codes in lowest ... highest.
+  /// Returns whether an item has no output in a cell whose codes are in [lowest, highest].
   bool IsOutside(const Item& item, Code lowest, Code highest) const
   {
     return highest < item.First || lowest >= item.GetLast(this->Kind);
@@ -83,7 +83,8 @@ public:
   bool HasFlatItem() const { return this->FlatItem; }
   static bool IsTie(Code code) { return code & 1; }
 
-  /// Returns the index of the first isovalue strictly above the lower end of an edge.
+  /// Returns the index of the first isovalue strictly above the lower end of an edge. \a a and \a b
+  /// are the codes of the ends.
   static int GetFirstCrossing(Code a, Code b) { return ((a < b ? a : b) + 1) >> 1; }
 
   /// Returns the number of isovalues strictly between the ends of an edge.

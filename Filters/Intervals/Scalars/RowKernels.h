@@ -17,7 +17,8 @@ namespace RowKernels
 using Code = std::uint16_t;
 
 ///@{
-/// Compute how many of the \a count thresholds, two or four, each value reaches.
+/// Compute the number of thresholds that each value reaches. \a count, the number of thresholds, is
+/// 2 or 4.
 void Classify(
   const float* values, std::int64_t number, const float* thresholds, int count, Code* codes);
 void Classify(
@@ -30,8 +31,8 @@ bool AreFinite(const float* values, std::int64_t number);
 bool AreFinite(const double* values, std::int64_t number);
 ///@}
 
-/// Computes a mark per code, for codes less than 256: 1 plus the sum of steps[k] for all k less
-/// than the code. \a count is the number of steps, three or five.
+/// Computes a mark for each code: 1 plus the sum of steps[k] for all k less than the code. Codes
+/// must be less than 256. \a count, the number of steps, is 3 or 5.
 void FillMarks(const Code* codes, std::int64_t number, const std::uint8_t* steps, int count,
   std::uint8_t* marks);
 
@@ -39,9 +40,9 @@ void FillMarks(const Code* codes, std::int64_t number, const std::uint8_t* steps
 void Summarize(const Code* codes, std::int64_t number, Code& minimum, Code& maximum, Code& bits);
 
 /**
- * Counts the output points that each grid point of a row owns. \a first, an input, is 1 if the grid
- * point itself is an output point. \a second also counts the edge points along i, \a third those
- * along i and j, \a all those along i, j and k.
+ * Counts the output points that each grid point of a row owns. The input \a first is 1 if the grid
+ * point itself is an output point, and 0 otherwise. \a second adds the points on the edge along i,
+ * \a third also those along j, and \a all also those along k.
  */
 void CountOwned(const Code* here, const Code* along, const Code* above, std::int64_t number,
   const Code* first, Code* second, Code* third, Code* all);
@@ -57,8 +58,9 @@ void FillKeys(int base, const Code* const rows[4], Code first, Code second, std:
 
 /**
  * Computes, for each of \a number cells in a row, the minimum and maximum code of its corners, and
- * the common code of all corners or ExtractionKernels::Mixed. The eight rows surround the cells at
- * two times. \a minimum and \a maximum have a capacity of \a number + 1.
+ * the code of all corners if they are equal, otherwise ExtractionKernels::Mixed. \a rows contains
+ * the four rows of points around the cells at each of two time steps. \a minimum and \a maximum
+ * must have space for \a number + 1 values.
  */
 void FindRanges(
   const Code* const rows[8], std::int64_t number, Code* minimum, Code* maximum, Code* all);

@@ -32,7 +32,7 @@ public:
   /// Declares that an input port accepts datasets of a type and composite datasets that contain
   /// them.
   static void FillInput(vtkInformation* port, const char* type);
-  /// Declares that RequestDataObject selects the type of an output port.
+  /// Declares that RequestDataObject() selects the data type of an output port.
   static void FillOutput(vtkInformation* port);
 
   /// Creates unstructured grids for a dataset, or composite datasets for a composite input. Returns
@@ -45,8 +45,8 @@ public:
   /// Function that extracts from a dataset and fills one grid per output port.
   using Extractor = std::function<void(vtkDataSet*, const std::vector<vtkUnstructuredGrid*>&)>;
 
-  /// Calls \a extract for each dataset of the input until the user aborts. The progress range is
-  /// divided equally among the datasets.
+  /// Calls \a extract for each dataset of the input. Stops if the user aborts. The progress range
+  /// is divided equally among the datasets.
   static void ForEach(vtkAlgorithm* owner, vtkInformationVector** inputs,
     vtkInformationVector* outputs, const Extractor& extract);
 };

@@ -32,12 +32,12 @@ public:
   /// input and \a scalars may be null.
   void Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices);
 
-  /// Examines the datasets and scalars added so far and releases them. Call this while inputs that
-  /// change, such as time steps, are still valid.
+  /// Examines the datasets and scalars added so far and releases them. Call this before the inputs
+  /// are replaced, for example with the next time steps.
   void Look();
 
-  /// Adds the number of simplices before and after a criterion on a point array. \a words
-  /// describes the criterion, as in "the criterion on "p" from 1 to 2".
+  /// Adds the number of simplices before and after a criterion on a point array. \a number is the
+  /// index of the criterion. \a words describes it, such as: the criterion on "p" from 1 to 2.
   void AddCriterion(std::size_t number, const std::string& words, vtkDataArray* array,
     vtkIdType before, vtkIdType after);
 
@@ -48,14 +48,14 @@ public:
    * Returns the reason for an empty output. Returns an empty string if there is output, if a
    * message has reported the error, or if the user aborted. If one of several pieces is requested,
    * no reason that depends on the data is returned, since a piece may be empty. Other reasons are
-   * returned for the first piece only. \a unset is the reason if no goal is set, such as "no
-   * interval is set.", otherwise empty. \a sought describes the goal, such as "the interval [1,
-   * 2]".
+   * returned for the first piece only. If nothing was requested, \a unset is the reason, such as
+   * "no interval is set."; otherwise it is empty. \a sought describes the request, such as "the
+   * interval [1, 2]".
    */
   std::string Explain(vtkAlgorithm* owner, const std::string& unset, const std::string& sought);
 
-  /// Returns whether the output is empty, no message has reported an error, and there is only one
-  /// piece.
+  /// Returns whether the output is empty, no message has reported an error, the user has not
+  /// aborted, and there is only one piece.
   bool IsUnexplained(vtkAlgorithm* owner) const;
 
   /// Describes intervals, for example "the interval [1, 2]" or "the intervals [1, 2], [3, 4]".
@@ -73,14 +73,15 @@ private:
     void Add(vtkDataArray* array);
   };
 
-  // A criterion with an empty result, and the range of its input.
+  // A criterion with an empty result, and the range of its array before it was applied.
   struct Criterion
   {
     std::string Words;
     Range Before;
   };
 
-  // Returns whether the output is empty and no message has reported an error.
+  // Returns whether the output is empty, no message has reported an error, and the user has not
+  // aborted.
   bool IsUnreported(vtkAlgorithm* owner) const;
   std::string ExplainByData(const std::string& sought);
 

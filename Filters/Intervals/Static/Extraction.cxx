@@ -132,7 +132,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   int dimensions[3];
   ExtractionIndex::LinearGrid ownLinear;
   ExtractionIndex::LinearGrid* linear = nullptr;
-  // A further pass copies polyhedra instead of splitting them.
+  // Passes after the first copy the interior polyhedra instead of splitting them.
   const bool isFurther = this->InteriorPass && this->InteriorPass->First >= 0;
   if (!isFurther && !ExtractionArrays::GetRowDimensions(input, dimensions) &&
     ExtractionLinearizer::IsNeeded(input))
@@ -150,7 +150,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;
-  // The points of a further pass were computed by the previous pass and are finite.
+  // If orientations are kept, the previous pass computed the input points, which are thus finite.
   const NonFinitePoints nonFinite =
     this->KeepOrientation ? NonFinitePoints() : NonFinitePoints(context.Input);
   context.NonFinitePoints = nonFinite.GetMarks();

@@ -15,7 +15,7 @@ struct InteriorCellPass;
  * @class   Extraction
  * @brief   one pass of contouring or interval extraction over one dataset
  *
- * Selects the implementation for the type of grid and adds the arrays to the mesh.
+ * Selects the implementation for the type of grid, and adds arrays to the extracted mesh.
  */
 class Extraction
 {
@@ -32,13 +32,14 @@ public:
   bool SharePoints = true;
   /// If true, the outputs contain arrays with the origin of each point and cell.
   bool GenerateOriginArrays = false;
-  /// If true, tetrahedra keep their stored orientation. Set for the passes of criteria.
+  /// If true, tetrahedra keep their stored orientation. Set in the passes that apply criteria.
   bool KeepOrientation = false;
-  /// State of interior cells, passed from pass to pass; null if interior cells are cut too.
+  /// State of interior cells, handed from pass to pass; null if interior cells are cut too.
   InteriorCellPass* InteriorPass = nullptr;
   /**
-   * In the pass of a criterion, the boundary of the input: port 1 of the previous pass. Its
-   * triangles are cut like the tetrahedra they belong to. Null if there is none.
+   * In a pass that applies a criterion, the boundary of the input, which is the boundary output of
+   * the previous pass. Each triangle is cut like the tetrahedron that it is a face of. Null in
+   * other passes, or if no boundary is requested.
    */
   vtkUnstructuredGrid* InputBoundary = nullptr;
 

@@ -57,7 +57,7 @@ public:
   static std::vector<std::string> GetWarnings(
     vtkDataSet* input, int precision, const ExtractionReport& report);
 
-  /// Returns a description of the array that input 0 of \a owner processes.
+  /// Returns a description, for messages, of the input array that \a owner processes.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);
 };
 

@@ -110,7 +110,7 @@ private:
     this->CellIds.push_back(cell);
   }
 
-  // Returns the edge neighbor of \a point that is outside \a face, or -1 unless there is exactly
+  // Returns the edge neighbor of \a point that is not in \a face, or -1 unless there is exactly
   // one.
   static vtkIdType GetNeighborOff(
     const std::map<vtkIdType, std::set<vtkIdType>>& neighbors, vtkIdType point, const Face& face)
@@ -131,7 +131,7 @@ private:
   }
 
   // If the polyhedron has the faces of a cell with an isotable, sets \a type to the type of that
-  // cell and returns the points in its order. Otherwise returns no points.
+  // cell and returns the points in the order of that type. Otherwise returns no points.
   static Face Recognize(const std::vector<Face>& faces, int& type)
   {
     std::map<vtkIdType, std::set<vtkIdType>> neighbors;
@@ -208,8 +208,7 @@ private:
     {
       return;
     }
-    // Sorts the vertices in the global order, so that the mean is rounded identically in all
-    // pieces.
+    // Sort the vertices in the global order, so that the mean is rounded identically in all pieces.
     std::sort(vertices.begin(), vertices.end(),
       [this](vtkIdType a, vtkIdType b) { return this->GetOrder(a) < this->GetOrder(b); });
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -245,8 +244,8 @@ private:
     }
   }
 
-  // Orients faces consistently, all outward or all inward: two faces traverse their common edge in
-  // opposite directions.
+  // Orients all faces outward or all faces inward, so that any two faces traverse their common edge
+  // in opposite directions.
   static void Orient(std::vector<Face>& faces)
   {
     std::map<std::pair<vtkIdType, vtkIdType>, std::vector<std::size_t>> facesOf;
@@ -295,7 +294,7 @@ private:
     const glm::dvec3 center = this->GetMeanPoint(vertices);
     if (!Vectors::IsFinite(center))
     {
-      // The polyhedron is skipped.
+      // The extraction skips this polyhedron.
       return true;
     }
     Orient(faces);
@@ -337,9 +336,9 @@ private:
     return mean;
   }
 
-  // Computes the mean. For integer values, the sum is divided at the end, so that the mean of
-  // values equal to a bound equals the bound too. For other values, each term is divided, since the
-  // sum might overflow.
+  // Computes the mean of an array component over vertices. If all values are integers, their sum is
+  // exact and is divided at the end, so that a mean that should equal a bound does. Otherwise each
+  // term is divided, since the sum might overflow.
   double GetMean(vtkDataArray* array, const Face& vertices, int component) const
   {
     constexpr double maximumExactInteger = 4503599627370496.0; // 2^52
@@ -420,7 +419,7 @@ private:
     }
     if (vtkDataArray* ids = vtkDataArray::SafeDownCast(from->GetPedigreeIds()))
     {
-      // The pedigree ids may be the scalar that is extracted.
+      // Extend the pedigree ids, since they may be the scalars of the extraction.
       const auto extended = vtk::TakeSmartPointer(ids->NewInstance());
       extended->DeepCopy(ids);
       extended->Resize(after);
@@ -440,7 +439,7 @@ private:
     }
   }
 
-  // Sets the tuples of the centers, which start at \a before.
+  // Sets the tuples of the centers, which start at index \a before, to means of the vertices.
   void FillMeans(vtkDataArray* source, vtkDataArray* array, vtkIdType before) const
   {
     for (std::size_t center = 0; center < this->Centers.size(); ++center)
@@ -453,7 +452,7 @@ private:
     }
   }
 
-  // In the global order, as in the order of ids, centers come after all other points.
+  // Adds global ids that place the centers after all other points.
   void AddOrder(vtkIdType before, vtkIdType after)
   {
     if (!this->Order)
@@ -475,7 +474,7 @@ private:
 
   vtkDataSet* Input;
   std::vector<vtkIdType>& CellIds;
-  // Global ids, or null.
+  // Global ids of the input points, or null.
   vtkSmartPointer<GlobalIds::Array> Order;
   vtkNew<vtkUnstructuredGrid> Output;
   vtkNew<vtkGenericCell> Generic;

@@ -22,10 +22,10 @@ namespace interlume
  * becomes a tetrahedron, each quadrilateral a pyramid, and each larger face a fan of tetrahedra
  * from its point with the lowest id. Shared faces are preserved, so neighbors of any type conform.
  * The value of a point array at the center is the mean over the vertices, which is exact for linear
- * fields. (An isotable of a polyhedron with larger faces would not work: the hull of such a face's
- * prism depends on the shape of the face, so two polyhedra would not agree on it.)
+ * fields. Documentation/methods/isotables.md explains why polyhedra with larger faces have no
+ * isotable.
  *
- * Other cells without an isotable are copied, so that the extraction counts them.
+ * Other cells without an isotable are copied, so that the extraction counts them as skipped.
  */
 class ExtractionLinearizer
 {
@@ -33,9 +33,9 @@ public:
   /// Returns whether \a input is not an unstructured grid, or contains polyhedra.
   static bool IsNeeded(vtkDataSet* input);
 
-  /// Creates the grid. \a cellIds receives the input cell of each cell; a cell inherits the ghost
-  /// flags of its input cell. \a numberOfConcave receives the number of split polyhedra that are
-  /// not star-shaped around their center. Their cells overlap.
+  /// Creates the grid. \a cellIds receives the input cell of each cell, whose ghost flags the cell
+  /// inherits. \a numberOfConcave receives the number of split polyhedra that are not star-shaped
+  /// around their center, so that their cells overlap.
   static vtkSmartPointer<vtkUnstructuredGrid> Execute(
     vtkDataSet* input, std::vector<vtkIdType>& cellIds, vtkIdType& numberOfConcave);
 };

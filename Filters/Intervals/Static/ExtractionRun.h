@@ -41,13 +41,12 @@ public:
 
   EmptyOutputDiagnosis& GetEmptyResult() { return this->Empty; }
 
-  /// The goal of a run.
+  /// What the filter extracts.
   struct Goal
   {
     /// The intervals to extract; an isosurface is an interval of zero width.
     std::vector<vtkIntervalList::Interval> Intervals;
-    /// Texts for EmptyOutputDiagnosis: the goal, and the reason for an empty output if no goal is
-    /// set.
+    /// Arguments of EmptyOutputDiagnosis::Explain().
     std::string Sought;
     std::string Unset;
   };

@@ -14,7 +14,7 @@ namespace interlume
 
 namespace
 {
-// Appends the interior cells one by one. Polyhedra have faces in addition to points.
+// Appends the interior cells one at a time, since polyhedra need face streams.
 void AppendCells(vtkUnstructuredGrid* input, const ExtractionMesh& mesh,
   const std::vector<vtkIdType>& ids, vtkUnstructuredGrid* output)
 {
@@ -38,7 +38,7 @@ void AppendCells(vtkUnstructuredGrid* input, const ExtractionMesh& mesh,
     for (vtkIdType at = 1; at < stream->GetNumberOfIds(); at += 1 + stream->GetId(at))
     {
       const vtkIdType size = stream->GetId(at);
-      // Ignore faces with fewer than three points, since their points may be unused.
+      // Skip degenerate faces, whose points may not be in the output.
       if (size < 3)
       {
         continue;

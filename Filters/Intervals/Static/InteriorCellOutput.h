@@ -16,8 +16,8 @@ namespace interlume
 class InteriorCellOutput
 {
 public:
-  /// Sets the cells of \a output from \a mesh, which must have interior cells and the ids of their
-  /// cells in \a input. Moves the point ids out of \a mesh.
+  /// Sets the cells of \a output from \a mesh, which must have interior cells and the ids of the
+  /// input cells. Moves the point ids out of \a mesh.
   static void SetCells(vtkDataSet* input, ExtractionMesh& mesh, vtkUnstructuredGrid* output);
 };
 

@@ -24,10 +24,10 @@ namespace
 using Index = std::array<int, 3>;
 using Position = std::array<double, 3>;
 
-// Mark of a covered cell. The lower bits mark faces 0 to 5 (-x, +x, -y, ...).
+// Bit 6 marks a covered cell. Bits 0 to 5 mark the faces of a cell (-x, +x, -y, ...).
 constexpr unsigned char Covered = 1 << 6;
 
-// One dataset of a level, with marks of its cells.
+// One image of an AMR level, with a mark for each cell.
 class Block
 {
 public:
@@ -61,7 +61,7 @@ public:
     return this->Spacing[0] < ratio * other.Spacing[0];
   }
 
-  // Marks the cells covered by a finer block, and the faces where the finer block starts.
+  // Marks the cells covered by a finer block, and the faces between uncovered cells and that block.
   void Mark(const Block& finer)
   {
     Index first;
@@ -70,7 +70,7 @@ public:
     {
       const double begin = (finer.Base[axis] - this->Base[axis]) / this->Spacing[axis];
       const double length = finer.Cells[axis] * finer.Spacing[axis] / this->Spacing[axis];
-      // Include the adjacent cell on each side, and another one because of rounding errors.
+      // Include the adjacent cell on each side, and one more to allow for rounding errors.
       first[axis] = static_cast<int>(std::max(0.0, std::floor(begin) - 2.0));
       last[axis] =
         static_cast<int>(std::min<double>(this->Cells[axis], std::ceil(begin + length) + 2.0));
@@ -93,7 +93,8 @@ public:
     }
   }
 
-  // Counts the marked cells and faces that intersect intervals.
+  // Counts the marked cells that intersect an interval, and the marked faces that an isovalue
+  // intersects.
   void Count(vtkDataArray* scalars, const std::vector<vtkIntervalList::Interval>& intervals,
     ExtractionReport& report) const
   {
@@ -177,7 +178,8 @@ private:
     }
   }
 
-  // Returns the scalar range in a cell or in one of its faces; empty if a scalar is not finite.
+  // Returns the scalar range of a cell, or of one of its faces if \a face >= 0. The range is empty
+  // if a scalar is not finite.
   std::array<double, 2> GetRange(vtkIdType cell, int face, vtkDataArray* scalars) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -24,15 +24,15 @@ using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet* input, int& asso
  * @class   RefinementLevels
  * @brief   checks the levels of an AMR dataset, which are extracted independently
  *
- * Finds cells with output that are covered by cells of a finer level, and faces between two levels
- * that an isovalue intersects, where the surfaces of the levels do not match. Other datasets are
- * ignored.
+ * Finds cells that have output although a finer level covers them, and faces between two levels
+ * that an isovalue intersects. At these faces, the surfaces of the two levels do not match.
+ * Datasets other than AMR are ignored.
  */
 class RefinementLevels
 {
 public:
-  /// Counts such cells and faces and adds the counts to \a report. An isosurface is an interval of
-  /// zero width.
+  /// Adds the numbers of covered cells and of intersected faces between levels to \a report. An
+  /// isosurface is an interval of zero width.
   static void Count(vtkDataObject* input, const std::vector<vtkIntervalList::Interval>& intervals,
     const ArrayFinder& findArray, ExtractionReport& report);
 

@@ -11,16 +11,17 @@ namespace interlume
 
 /**
  * @class   CellRow
- * @brief   a row of cells and the four rows of grid points around it, in the order of
- * SlotLocation::Row
+ * @brief   a row of cells and the four rows of grid points around it
  *
- * The vertices of a cell are in the order of VTK_VOXEL. \a i is the column of a cell.
+ * The rows of grid points are in the order of SlotLocation::Row, and the vertices of a cell are in
+ * the order of VTK_VOXEL. The argument \a i of a function is the column of a cell.
  */
 struct CellRow
 {
   using Code = ExtractionValues::Code;
 
-  /// Ids of a slot's points along the row: First + Starts[i] + Offsets[i] for the cell at column i.
+  /// Output point ids of a slot along the row. For the cell at column i, First + Starts[i] +
+  /// Offsets[i] is the id of the first point on the slot's vertex or edge.
   struct SlotRow
   {
     vtkIdType First;
@@ -30,11 +31,11 @@ struct CellRow
 
   vtkIdType J;
   vtkIdType K;
-  /// Ids of the first grid point and of the cell at column 0.
+  /// Ids of the grid point and of the cell at column 0.
   vtkIdType FirstPoint;
   vtkIdType FirstCell;
   const Code* Codes[4];
-  /// The ids of each slot; not set while cells are only counted.
+  /// The point ids of each slot; not set while cells are only counted.
   SlotRow Slots[vtkIsotable::MaximumNumberOfSlots];
   bool HasTies = false;
   bool IsFinite = true;

@@ -31,8 +31,8 @@ struct RowBuffers : RowNotes
   RowPoints::Local Points;
   std::vector<ExtractionValues::Code> Columns;
   std::vector<ExtractionValues::Code> Keys;
-  /// Marks of the cells of the row: 1 if a cell produces simplices, 2 if it produces only boundary
-  /// triangles.
+  /// Marks of the cells of the row: 1 if a cell produces simplices or is an interior cell, 2 if it
+  /// produces only boundary triangles.
   std::vector<std::uint8_t> OutputMarks;
   /// The columns [first, last) of the row that contain all cells with output.
   RowPoints::ColumnRange OutputRange = { 0, 0 };
@@ -43,14 +43,14 @@ struct RowBuffers : RowNotes
 
 /**
  * @class   RowCells
- * @brief   counts or writes the output of an item in a row of cells
+ * @brief   counts or writes the output of a contour or an interval in a row of cells
  */
 class RowCells
 {
 public:
   using Code = ExtractionValues::Code;
 
-  /// All arguments must outlive this object. \a nx is the number of points in a row.
+  /// All arguments must outlive this object. \a nx is the number of grid points in a row.
   RowCells(const ExtractionContext& context, const vtkIsotable& table,
     const vtkIsotable::RankArray& ranks, const RowIndex& rows, vtkIdType nx, ExtractionMesh& mesh)
     : Context(context)
@@ -168,12 +168,12 @@ private:
     {
       return end;
     }
-    // A tie at the column after a cell affects that cell as well.
+    // A cell also uses the points of the next column, so a tie there affects the cell.
     const vtkIdType tie = ExtractionKernels::FindOdd(around.Codes, first, end + 1);
     return tie > end ? end : std::max(first, tie - 1);
   }
 
-  // Counts or writes cells inside an interval. They have no boundary because they have no ties.
+  // Counts or writes cells inside an interval. Without ties, they have no boundary triangles.
   template <bool Write>
   void ProcessInside(RowBuffers& local, const CellRow& around, const RowPoints::ColumnRange& cells,
     int item, const vtkIsotable::Case& found, RowWriter::CellInside& inside, RowCount& position)
@@ -235,8 +235,8 @@ private:
     ++position.Interior;
   }
 
-  // Counts or writes a cell where values equal isovalues. Slots of the same point are merged before
-  // the case is cut. Returns false if no slots have to be merged.
+  // Merges slots that are the same point because values equal isovalues, and counts or writes the
+  // cell. Returns false, without output, if no slots have to be merged.
   template <bool Write>
   bool ProcessTies(RowBuffers& local, const CellRow& around, vtkIdType i, int item,
     const vtkIsotable::Case& found, RowCount& position)
@@ -272,7 +272,7 @@ private:
   vtkIdType Nx;
   ExtractionMesh& Mesh;
   RowWriter Writer;
-  // The key of a cell inside an interval, and the type of such a cell in the output.
+  // The case key of a cell inside an interval.
   Code KeyInside;
   unsigned char InteriorType;
 };

@@ -40,7 +40,7 @@ struct Around
   // Returns the rows that determine which points the first row owns.
   std::array<BitRows::Row, 3> GetOwners() const { return { { Rows[0], Rows[1], Rows[2] } }; }
 
-  // Returns true if a bit of any corner of a cell is set.
+  // Returns true if the bit in \a bits is set for any corner of a cell.
   bool Has(BitRows::Word* BitRows::Row::*bits, vtkIdType column) const
   {
     return std::any_of(this->Rows.begin(), this->Rows.end(),
@@ -56,8 +56,8 @@ struct Around
     return !IsSet(row.Above, corner) ? 0 : IsSet(row.Ties, corner) ? 1 : 2;
   }
 
-  // Returns true if points that the row owns may be unused. They are all used if the row has cells
-  // and all values are finite and differ from the isovalue.
+  // Returns true if points that the first row owns may be unused. All are used if the row of cells
+  // exists and all values are finite and differ from the isovalue.
   bool MayHaveUnusedPoints() const { return !this->HasCells || this->Kinds.IsAny(); }
 
   static bool IsSet(const BitRows::Word* words, vtkIdType column)
@@ -66,8 +66,8 @@ struct Around
   }
 };
 
-// Calls visit(column, owned, bit) for each point of a row of \a nx points that owns output points.
-// \a bit is the position of the point in the words of \a owned.
+// Calls visit(column, owned, bit) for each grid point that owns output points in a row of \a nx
+// grid points. In each word of \a owned, the bit with index \a bit belongs to the grid point.
 template <bool IsSpecial, typename Visitor>
 void ForEachOwner(const Around& around, vtkIdType nx, Visitor&& visit)
 {
@@ -80,8 +80,8 @@ void ForEachOwner(const Around& around, vtkIdType nx, Visitor&& visit)
   }
 }
 
-// Writes the ids of the points that a row of \a nx points owns, starting with \a next. Each grid
-// point has MaximumOwned entries.
+// Numbers the output points that a row of \a nx grid points owns, starting with \a next. Each grid
+// point has MaximumOwned entries in \a ids.
 template <bool IsSpecial, typename Id>
 void FillIds(const Around& around, vtkIdType nx, Id next, Id* ids)
 {
@@ -212,8 +212,8 @@ struct RowIds
 
   // Cached rows, indexed by the lowest bits of k and j.
   std::array<std::array<Row, 2>, 2> Rows;
-  // Pointer to the id of each slot in the first cell of the row, or null. The ids of the next cell
-  // are MaximumOwned entries further.
+  // Pointer to the point id of each slot in the first cell of the row. The id for the next cell is
+  // MaximumOwned entries later.
   std::array<const Id*, vtkIsotable::MaximumNumberOfSlots> Slots{};
 };
 
@@ -298,7 +298,7 @@ public:
 
   void Finish()
   {
-    // Size per column of the columns and keys, the points of a row, and four rows of ids.
+    // Bytes per grid column: Columns, Keys, Points and four rows of ids.
     constexpr std::size_t bytesOfColumn = sizeof(std::uint32_t) + sizeof(std::uint8_t) +
       MaximumOwned * (sizeof(ExtractionPoint) + 4 * sizeof(vtkIdType));
     const std::ptrdiff_t threads = std::distance(this->Locals.begin(), this->Locals.end());
@@ -413,7 +413,7 @@ private:
       });
   }
 
-  // Finds the ids of each slot along a row of cells.
+  // Finds the point ids of each slot along a row of cells.
   template <typename Id>
   void FindSlots(RowIds<Id>& rows, const Around& around)
   {
@@ -496,7 +496,8 @@ private:
     }
   }
 
-  // Records the triangles of a cell that a neighbor cell may also have, with opposite orientation.
+  // Records the triangles that lie in a face of a cell. The neighbor cell may have the same
+  // triangles with opposite orientation.
   void NoteTied(ContourLocal& local, TieCaseCache::Tied& tied, vtkIdType triangle) const
   {
     for (const vtkIsotable::Simplex& corners : tied.Cut.GetSimplices())

@@ -34,8 +34,7 @@ struct RowNotes
 
 /**
  * @class   RowPass
- * @brief   base class of structured extractions, where rows own points and rows of cells produce
- * simplices
+ * @brief   base class of the row-by-row extractions from structured grids
  *
  * \a Local must derive from RowNotes.
  */

@@ -17,14 +17,14 @@ namespace
 using Code = ExtractionValues::Code;
 
 // The codes of all rows are cached if they do not exceed this size. Otherwise each thread computes
-// the codes that it needs, so that most rows are computed several times.
+// the codes that it needs, so most rows are computed several times.
 constexpr std::size_t MaximumBytesOfCodes = std::size_t(1) << 26;
-// If the index selects a smaller fraction of the rows, codes are not cached but computed for the
-// selected rows only, about four times each.
+// If the index selects less than this fraction of the rows, codes are not cached but computed for
+// the selected rows only, about four times each.
 constexpr double MinimumFractionOfRows = 0.25;
 
-// Size of the owner data per grid point, and the maximum size that a thread caches. The data should
-// fit in the CPU cache because the rows are requested again in the next layer.
+// Bytes of owner data per grid point, and the maximum size of the data that a thread caches. The
+// data should fit in the CPU cache because the rows are requested again in the next layer.
 constexpr std::size_t BytesOfOwner = sizeof(std::uint32_t) + 4 * sizeof(Code);
 constexpr std::size_t MaximumBytesOfOwners = std::size_t(1) << 22;
 
@@ -179,7 +179,7 @@ vtkIdType RowPoints::CountOwnPoints(const CodeRow& row, const Code* codes, vtkId
     codes, codes + number, [this](Code code) { return this->Values.IsPoint(code); });
 }
 
-// Returns the number of codes, between the minimum and maximum of a row, that make a grid point an
+// Returns how many of the codes from the minimum to the maximum of a row make a grid point an
 // output point.
 int RowPoints::CountPointCodes(const CodeRow& row) const
 {
@@ -277,7 +277,7 @@ std::size_t RowPoints::GetBytes() const
 
 std::size_t RowPoints::GetBytes(const Local& local) const
 {
-  // Size per column of nine rows of codes and two layers of owners.
+  // Bytes per grid column: nine rows of codes and two layers of owners.
   const std::size_t bytesOfColumn =
     9 * sizeof(Code) + 2 * static_cast<std::size_t>(this->CachedRows) * BytesOfOwner;
   return static_cast<std::size_t>(this->Nx) * bytesOfColumn +

@@ -37,9 +37,9 @@ public:
     std::int64_t Last;
   };
 
-  /// Indices of the points owned by each grid point, relative to the first point of the row. Starts
-  /// holds the index of the grid point itself. Adding Offsets[0], [1] or [2] yields the index of
-  /// the first point on its edge along i, j or k.
+  /// Indices of the output points owned by each grid point, relative to the first one of the row.
+  /// Starts holds the index of the first point owned by a grid point. Adding Offsets[0], [1] or [2]
+  /// yields the index of the first point on its edge along i, j or k.
   struct Owners
   {
     vtkIdType Row = -1;
@@ -60,7 +60,7 @@ public:
       std::vector<Code> Memory;
     };
     std::array<std::array<OwnCodeRow, 3>, 3> Codes;
-    // All rows of two layers if their size is small enough, otherwise two rows of each layer.
+    // All rows of two layers if they fit in the CPU cache, otherwise only two rows per layer.
     std::array<std::vector<Owners>, 2> Layers;
     std::vector<ExtractionPoint> Points;
   };
@@ -72,12 +72,12 @@ public:
   /// codes are computed on demand instead. Returns false if the user aborted.
   bool MakeCodes();
 
-  /// Returns the codes of the row of grid points (j, k), where the row of cells (j, k) begins. The
-  /// reference remains valid until the thread requests a row that is three rows away along j or k.
+  /// Returns the codes of the row (j, k) of grid points. The reference remains valid until the
+  /// thread requests a row that is three rows away along j or k.
   const CodeRow& GetCodes(Local& local, vtkIdType j, vtkIdType k) const;
 
-  /// Returns the range of columns of grid points that contains all output. Outside this range, the
-  /// codes of all rows are equal and constant along the row.
+  /// Returns the columns of grid points that contain all output of \a rows. On each side of this
+  /// range, all codes are equal.
   template <std::size_t Number>
   ColumnRange GetRange(const std::array<const CodeRow*, Number>& rows) const
   {
@@ -130,7 +130,7 @@ private:
   vtkIdType Nz;
   // Number of rows per layer whose owners a thread caches.
   vtkIdType CachedRows;
-  // For each code, the number of smaller codes for which a grid point is an output point.
+  // For each code, the number of smaller codes that make a grid point an output point.
   std::vector<int> PointsBelow;
   // The codes of all rows, if they are cached.
   ExtractionBuffer<Code> AllCodes;

@@ -30,7 +30,7 @@ public:
   using Code = ExtractionValues::Code;
   using Slot = vtkIsotable::Slot;
 
-  /// The previous cell in a row that is inside an interval.
+  /// The previous cell inside an interval in a row of cells.
   struct CellInside
   {
     vtkIdType Column = -1;
@@ -55,14 +55,14 @@ public:
   const std::vector<SlotLocation>& GetSlotLocations() const { return this->SlotLocations; }
   const CellOrientation& GetOrientation() const { return this->Orientation; }
 
-  /// Allocates a cleared mark for each of \a points points.
+  /// Allocates marks for \a points output points and initializes them to zero.
   void StartMarks(vtkIdType points)
   {
     this->MarksUsed = true;
     this->Mesh.Used.AllocateZeros(points);
   }
 
-  /// Marks a point as used.
+  /// Marks an output point as used if StartMarks() was called.
   void Use(vtkIdType point)
   {
     if (this->MarksUsed)
@@ -90,8 +90,8 @@ public:
     }
   }
 
-  /// Writes the output of a cell with merged slots. Appends its boundary triangles to \a
-  /// tiedTriangles, and its simplices that lie in a face to \a tiedSimplices.
+  /// Writes the output of a cell with merged slots. Appends the indices of its boundary triangles
+  /// to \a tiedTriangles, and those of its simplices that lie in a face to \a tiedSimplices.
   void WriteTied(const CellRow& row, vtkIdType i, int item, MergedCut& cut, RowCount& position,
     std::vector<vtkIdType>& tiedSimplices, std::vector<vtkIdType>& tiedTriangles)
   {
@@ -122,7 +122,7 @@ public:
     }
   }
 
-  /// Writes the cells [first, last) inside an interval. They have no boundary.
+  /// Writes the cells [first, last), which are inside an interval and have no boundary triangles.
   void WriteInside(const CellRow& row, vtkIdType first, vtkIdType last, int item,
     const vtkIsotable::Case& found, CellInside& before, RowCount& position)
   {
@@ -148,7 +148,7 @@ private:
     }
   }
 
-  // Returns the output id of a slot.
+  // Returns the output point id of a slot.
   vtkIdType GetId(
     const CellRow& row, vtkIdType i, const ExtractionValues::Item& item, Slot slot) const
   {
@@ -210,11 +210,11 @@ private:
     position.Simplices += static_cast<vtkIdType>(number);
   }
 
-  // Returns the end of the range of cells, starting at \a first, in which each corner's id exceeds
-  // the id of the same corner of the previous cell by 1.
+  // Returns the end of the range of cells that starts at \a first and in which the corner ids
+  // increase by 1 from cell to cell.
   static vtkIdType FindBreak(const CellRow& row, vtkIdType first, vtkIdType last)
   {
-    // Vertices 0, 2, 4 and 6 are at the start of a column, one in each of the four rows.
+    // Vertices 0, 2, 4 and 6 are at column i, one in each of the four rows of points.
     const std::uint32_t* starts[4];
     for (int r = 0; r < 4; ++r)
     {
@@ -234,8 +234,8 @@ private:
     return std::max(first + 1, i - 1);
   }
 
-  // Writes the cells [first, last) inside an interval after a previous cell. Each corner's id
-  // exceeds the id of the same corner of the previous cell by 1.
+  // Writes the cells [first, last), which follow the cell \a before inside the interval. The corner
+  // ids increase by 1 from cell to cell.
   void WriteRun(const CellRow& row, vtkIdType first, vtkIdType last, int item, std::size_t number,
     CellInside& before, RowCount& position)
   {

@@ -197,7 +197,7 @@ public:
   {
     std::size_t bytes =
       this->Columns.capacity() * sizeof(this->Columns[0]) + this->Points.GetBytes();
-    // Size per column of the columns, keys and marks.
+    // Bytes per grid column: Columns, Keys and OutputMarks.
     constexpr std::size_t bytesOfColumn = 2 * sizeof(Code) + sizeof(std::uint8_t);
     for (const RowBuffers& local : this->Locals)
     {
@@ -347,7 +347,7 @@ bool StructuredExtraction::Execute(
 {
   GridCellRange window(dimensions);
   const vtkIdType cells = window.GetNumberOfCells();
-  // The index refers to the rows of the full grid.
+  // With an index, CodePass needs the full grid because the index returns columns of the full grid.
   const bool isRowContour = RowContour::IsSuited(context);
   const bool isBox = (!context.Index || isRowContour) && window.Shrink(context, dimensions) &&
     !GhostCells::AreTiedOutside(context, dimensions, window);

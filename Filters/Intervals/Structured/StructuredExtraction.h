@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   StructuredExtraction
- * @brief   extraction from a structured grid, where output point ids are computed from edges
+ * @brief   extraction from a structured grid, without searching for points that cells share
  *
  * A grid point owns the output points on itself and its edges along +i, +j and +k. Output points
  * are numbered by owner. The first pass counts the points that each row owns and the simplices of

@@ -10,11 +10,11 @@ namespace interlume
 
 /**
  * @class   FacePlanarity
- * @brief   finds the cell faces that are planar at all times of a slab
+ * @brief   finds the planar cell faces of a grid that does not move between two time steps
  *
- * If the grid points do not move, output points whose positions lie in a planar face are coplanar
- * at all times. Planar faces are triangles, all faces of image data and rectilinear grids, and
- * quadrilaterals with coplanar points.
+ * Output points whose spatial positions lie in a planar face are coplanar at all times. Planar
+ * faces are triangles, all faces of image data and rectilinear grids, and quadrilaterals with
+ * coplanar points.
  */
 class FacePlanarity
 {

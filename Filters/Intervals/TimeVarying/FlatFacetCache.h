@@ -28,8 +28,7 @@ public:
   {
   }
 
-  /// Returns the result of SpaceTimeSlots::FindFlat() for each simplex of the cut that the table
-  /// stores for a case.
+  /// Returns the result of SpaceTimeSlots::FindFlat() for each simplex of the table case \a what.
   const std::vector<std::uint8_t>& Find(
     const SpaceTimeTable::Case& what, const SpaceTimeSlots& slots, unsigned planar)
   {

@@ -45,7 +45,7 @@ bool VisitNumbers(vtkAbstractArray* array, Visitor&& visit)
   return false;
 }
 
-// Moves tuples of an array from index \a from to index \a to.
+// Moves \a number tuples of an array from index \a from to index \a to.
 void MoveTuples(vtkDataArray* array, vtkIdType from, vtkIdType to, vtkIdType number)
 {
   const std::size_t size =
@@ -63,7 +63,7 @@ struct ProjectedTetrahedra::Block
   vtkIdType Last;
   // Index of the first simplex, counted over all slabs.
   vtkIdType FirstIndex;
-  // Number of thick points and tetrahedra, later replaced by the indices of the first ones.
+  // Numbers of thick points and tetrahedra. AssignStart() replaces them with start indices.
   vtkIdType ThickPoints = 0;
   vtkIdType Tetrahedra = 0;
   std::array<vtkIdType, SimplexSigns::NumberOfClasses> Classes{};
@@ -89,7 +89,7 @@ struct ProjectedTetrahedra::Batch
   int Number;
   SimplexProjection::Corners Corners[BatchSize];
   SimplexProjection Projections[BatchSize];
-  // Index of the first thick point.
+  // Index of the first thick point of the batch.
   vtkIdType ThickPoint;
 
   // Calls visit(simplex, thickPoint) for the simplices that are not degenerate.
@@ -313,7 +313,8 @@ void ProjectedTetrahedra::WritePoints(const Batch& batch, Value* values) const
     });
 }
 
-// Adds the counts of a block to the report and replaces them with start indices.
+// Adds the counts of a block to the report and replaces them with the indices where the output of
+// the block starts.
 void ProjectedTetrahedra::AssignStart(Block& block, TimeVaryingReport& report)
 {
   report.FlatSimplices += block.Last - block.First - block.ThickPoints;

@@ -80,9 +80,9 @@ private:
   vtkSmartPointer<vtkPoints> Points;
   vtkNew<vtkDoubleArray> Thickness;
   std::vector<MeanWriter> Means;
-  // Arrays of values that cannot be averaged, and for each simplex the index of the point with the
-  // largest weight.
+  // Arrays whose values cannot be averaged.
   std::vector<vtkAbstractArray*> Others;
+  // For each simplex, the index of its point with the largest weight; used for Others.
   ExtractionBuffer<std::uint8_t> Heaviest;
   SimplexList Cells;
   unsigned char* Classes = nullptr;

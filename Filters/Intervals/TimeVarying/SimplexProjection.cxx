@@ -79,7 +79,7 @@ template <typename Number>
   return a.X[0] * x + a.X[1] * y + a.X[2] * z;
 }
 
-// The sums of the positive and the negative numbers, both as absolute values.
+// The sum of the positive numbers, and the absolute value of the sum of the negative numbers.
 template <typename Number>
 struct Sums
 {
@@ -95,7 +95,7 @@ struct Sums
   }
 };
 
-// The affine dependency of one simplex (Extended) or of several simplices (Four).
+// The affine dependency of one simplex (Extended) or of four simplices (Four).
 template <typename Number>
 struct Dependency
 {
@@ -112,8 +112,8 @@ struct Dependency
   // If true, double precision is sufficient.
   Mask IsExact;
 
-  // A point is x, y, z and the coordinate along the projection. \a isZero marks each lambda that is
-  // known to be zero.
+  // A point has the coordinates x, y, z, and t along the projection direction. \a isZero marks each
+  // lambda that is known to be zero.
   [[gnu::always_inline]] Dependency(
     const Number (&points)[NumberOfPoints][4], const Mask (&isZero)[NumberOfPoints])
   {
@@ -161,7 +161,7 @@ struct Dependency
       longestTime = Max(longestTime, Abs(times[i]));
     }
     const Number largest = Max(all.Positive, all.Negative);
-    // The threshold is smaller for a simplex that is thin relative to its extent in time.
+    // The threshold for lambda is lower for a simplex that is thin relative to its extent in time.
     const Number fraction = Select(zero < longestTime, Abs(content) / (longestTime * largest), one);
     Mask isExact = Of<Number>(enough) < largest;
     Sums<Number> retained;

@@ -34,7 +34,7 @@ namespace interlume
 class SimplexProjection
 {
 public:
-  /// A point as x, y, z and the coordinate along the projection.
+  /// The coordinates x, y and z of a point, and its coordinate t along the projection direction.
   using Point = std::array<double, 4>;
 
   static constexpr int NumberOfPoints = SimplexSigns::NumberOfPoints;
@@ -51,8 +51,8 @@ public:
   static void Project(
     const Corners* points, const std::uint8_t* flats, int number, SimplexProjection* projections);
 
-  /// Returns true if the simplex is degenerate: it has no volume in space or no thickness. Then it
-  /// has no tetrahedra.
+  /// Returns true if the simplex is degenerate, that is, has no volume in space or no thickness. A
+  /// degenerate simplex has no tetrahedra.
   bool IsFlat() const { return this->Thickness == 0.0; }
 
   /// Returns true if the determinant of (p1 - p0, p2 - p0, p3 - p0, p4 - p0) is negative.
@@ -66,8 +66,8 @@ public:
   /// Returns the extent of the simplex along the fourth coordinate at the thick point.
   double GetThickness() const { return this->Thickness; }
 
-  /// Returns the weights of the points. The weighted sum of the point values is the mean of the
-  /// value across the simplex at the thick point.
+  /// Returns the weights of the points. The weighted sum of the values at the points is the mean
+  /// value over the thickness at the thick point.
   const std::array<double, NumberOfPoints>& GetWeights() const { return this->Weights; }
 
   /// Returns the signs of all lambda_i. They determine the tetrahedra.
@@ -78,7 +78,7 @@ public:
   void GetThickPoint(const Corners& points, double x[3]) const
   {
     // The thick point lies on both the positive and the negative face. The face with fewer points
-    // causes fewer rounding errors, and is exact if it is a single point.
+    // causes fewer rounding errors, and none if it is a single point.
     const SimplexSigns::Cut& cut = this->Signs.GetCut();
     x[0] = x[1] = x[2] = 0.0;
     for (int m = 0; m < cut.NumberOfMeanPoints; ++m)

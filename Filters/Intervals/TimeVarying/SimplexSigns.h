@@ -49,7 +49,7 @@ public:
   {
   }
 
-  /// Returns 1, 0 or -1, the sign of lambda_i.
+  /// Returns the sign of lambda_i: 1, 0 or -1.
   int Get(int i) const
   {
     return static_cast<int>((this->Bits >> i) & 1u) -

@@ -21,7 +21,7 @@ struct Sides
 {
   std::array<Slot, NumberOfVertices> Vertices{};
   int NumberOfFirst = 0;
-  // If true, this is an odd permutation of the vertices.
+  // True if Vertices is an odd permutation.
   bool IsOdd = false;
 };
 
@@ -85,8 +85,8 @@ Slice Make(unsigned int above)
   slice.NumberOfTetrahedra = rows == 1 ? 1 : columns;
   for (int t = 0; t < slice.NumberOfTetrahedra; ++t)
   {
-    // Points up to index \a turn are on edges of the first vertex, and all later points are on
-    // edges of the last vertex of the first side.
+    // Points up to index \a turn are on edges of the first side's first vertex, and all later
+    // points are on edges of its last vertex.
     const int turn = columns - 1 - t;
     vtkIsotable::Simplex& points = slice.Tetrahedra[t];
     for (int p = 0; p < 4; ++p)

@@ -38,7 +38,7 @@ public:
     std::array<std::array<Slot, 2>, 6> Edges{};
   };
 
-  /// Returns all slices. Bit v of the index is set if vertex v is above.
+  /// Returns all slices. Bit v of the index is set if vertex v is above the hyperplane.
   static const std::array<Slice, 32>& GetAll();
 };
 

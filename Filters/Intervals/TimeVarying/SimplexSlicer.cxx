@@ -116,7 +116,7 @@ public:
     return minimum < AtValue ? Intersection::Crosses : Intersection::None;
   }
 
-  // Returns the interval of a cell. Intervals may overlap, and each has a separate slice.
+  // Returns the interval id of a cell. Intervals may overlap, and each has a separate slice.
   vtkIdType GetInterval(vtkIdType cell) const
   {
     return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
@@ -129,9 +129,9 @@ private:
                         : Parts::FACES_AT_STEP;
   }
 
-  // The interval of each cell, or null if the cells have no intervals.
+  // The interval id of each cell, or null if the cells have no intervals.
   vtkDataArray* Intervals;
-  // Null if all faces are part of the slice.
+  // The PartsAtStep of each cell, or null if all are FACES_AT_STEP.
   vtkDataArray* AtStep;
 };
 
@@ -415,7 +415,6 @@ private:
   }
 
   vtkUnstructuredGrid* Grid;
-  // The cell types, and the cell arrays in their storage type.
   vtkSmartPointer<GridCells::Types> Types;
   const Stored* Offsets;
   const Stored* Ids;

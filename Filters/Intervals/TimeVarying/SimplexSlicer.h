@@ -30,10 +30,10 @@ public:
   {
     ExtractionBuffer<ExtractionPoint> Points;
     SimplexList Tetrahedra;
-    /// The cell of each tetrahedron, if the context requests cell ids.
+    /// The cell id of each tetrahedron, if the context requests cell ids.
     ExtractionBuffer<vtkIdType> CellIds;
-    /// The first cell that is not a VTK_POLY_VERTEX of five points, or -1. There is no slice if
-    /// such a cell exists.
+    /// Id of the first cell that is not a VTK_POLY_VERTEX with five points, or -1. If such a cell
+    /// exists, there is no slice.
     vtkIdType InvalidCell = -1;
     /// Number of cells skipped because a time or a coordinate is NaN or infinite.
     vtkIdType NonFiniteCells = 0;

@@ -24,7 +24,7 @@ namespace interlume
  */
 struct SliceChunk
 {
-  /// Maximum number of cells in a chunk. Each cell has at most six points.
+  /// Maximum number of cells in a chunk. The slice of a cell has at most six points.
   static constexpr vtkIdType Size = 4096;
   static_assert(6 * Size <= 1 << 16, "point indices within a chunk have 16 bits");
 
@@ -42,7 +42,7 @@ struct SliceChunk
 
 /**
  * @class   SliceChunkBuilder
- * @brief   buffers with which a thread fills chunks, and a cache of the latest points
+ * @brief   buffers with which a thread fills chunks, and a cache of recent points
  *
  * Consecutive 4-simplices share most of their points, so the cache avoids most searches in the
  * CrossingLists. A point that was evicted from the cache and is found again gets a second index in
@@ -65,12 +65,12 @@ public:
     this->NumberOfTetrahedra = 0;
   }
 
-  /// Returns the index of a point in the chunk.
+  /// Returns the index of a point in the chunk. Adds the point if it is not in the cache.
   std::uint16_t Find(
     vtkIdType owner, CrossingKey key, CrossingLists& lists, CrossingLists::Arena& arena)
   {
-    // The far end alone identifies the key: all keys have value 0, and only the key of the owner
-    // itself has far end 0.
+    // The far end alone identifies the key: all keys have isovalue index 0, and only the key of the
+    // owner itself has far end 0.
     const Id near = static_cast<Id>(owner);
     const Id far = static_cast<Id>(key.GetFar());
     const std::uint64_t hash = static_cast<std::uint64_t>(owner + key.GetFar() * 0x2c9277b5);
@@ -83,7 +83,7 @@ public:
     return entry.Index;
   }
 
-  /// Adds a tetrahedron. A cell has at most three.
+  /// Adds a tetrahedron. The slice of a cell has at most three.
   void Add(const SliceChunk::Tetrahedron& tetrahedron)
   {
     this->Tetrahedra[this->NumberOfTetrahedra++] = tetrahedron;

@@ -24,9 +24,9 @@ class SliceFaces
 public:
   struct Face
   {
-    /// Point ids in the global order.
+    /// Ids of the points in the global order.
     std::array<vtkIdType, 4> Ids;
-    /// The interval. Intervals may overlap, and each has a separate slice.
+    /// Interval id. Intervals may overlap, and each has a separate slice.
     vtkIdType Interval;
     SliceIntersection Intersection;
 
@@ -41,7 +41,7 @@ public:
   };
 
   void Add(const Chunk& chunk);
-  /// Sorts the faces after all of them were added.
+  /// Sorts the faces. Call this after all chunks have been added.
   void Sort();
 
   /// Returns true if any face may be a duplicate.

@@ -28,7 +28,7 @@ struct SortedSimplices
   Key Above[Size];
   /// 1 if sorting the vertices took an odd number of swaps, otherwise 0.
   Key IsOdd[Size];
-  /// 0 if all vertices are distinct.
+  /// 0 if all vertices are distinct, otherwise 1.
   Key HasEqual[Size];
 
   /// Adds a 4-simplex. The batch must not be full.
@@ -46,7 +46,7 @@ struct SortedSimplices
   Key GetId(int vertex, int simplex) const { return this->Vertices[vertex][simplex] >> 1; }
 };
 
-/// Sorts the vertices of all simplices, with the widest SIMD instructions available.
+/// Sorts the vertices of each simplex in a batch, with the widest SIMD instructions available.
 namespace SimplexSorting
 {
 void Sort(SortedSimplices<std::uint32_t>& simplices);

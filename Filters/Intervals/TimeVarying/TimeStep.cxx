@@ -184,8 +184,8 @@ bool TimeStep::IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const
       const void* memory = GetMemory(array);
       const auto source = std::find_if(this->Sources.begin(), this->Sources.end(),
         [memory](const Source& one) { return GetMemory(one.Array) == memory; });
-      // Not every source marks overwritten scalars as modified. Two steps have different scalars,
-      // so shared memory proves that the first ones were overwritten.
+      // Not every VTK source marks overwritten scalars as modified. Two steps have different
+      // scalars, so shared memory proves that the scalars of this step were overwritten.
       return source != this->Sources.end() &&
         (array == scalars || array->GetMTime() > source->Time);
     });

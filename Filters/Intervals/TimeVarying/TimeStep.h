@@ -49,11 +49,11 @@ public:
   /// input must be the original dataset of the step.
   std::string DescribeNonFinite(vtkDataSet* input) const { return this->NonFinite.Describe(input); }
 
-  /// Computes the codes of all points on the first call, while the progress advances from \a from
-  /// to \a to. Returns false if the user aborted.
+  /// Computes the codes of all points on the first call, and reports progress between \a from and
+  /// \a to. Returns false if the user aborted.
   bool MakeCodes(const ExtractionContext& context, double from, double to);
   const ExtractionValues::Code* GetCodes() const { return this->Codes.GetData(); }
-  /// Returns true if any value equals a bound. Call MakeCodes() first.
+  /// Returns true if any value equals a bound of an interval. Call MakeCodes() first.
   bool HasTies() const { return this->Ties; }
 
   std::size_t GetBytes() const { return this->Codes.GetBytes(); }
@@ -66,7 +66,7 @@ public:
 
   /// Returns an error if the cells differ from those of the previous step.
   Error FindDifference(const TimeStep& before) const;
-  /// Returns true if two steps have the same points.
+  /// Returns true if both steps have the same points.
   bool HasSamePoints(const TimeStep& other) const;
 
 private:

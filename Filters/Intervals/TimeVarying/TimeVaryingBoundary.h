@@ -14,12 +14,12 @@ namespace interlume
 
 /**
  * @class   TimeVaryingBoundary
- * @brief   finds the boundary facets of a 4-simplex from the sides of its points
+ * @brief   finds the boundary facets of a 4-simplex from the SpaceTimeSlots::Sides of its points
  *
- * The table lifts a cell by one dimension. The lifted cell is convex, so it lies on one side of
- * each of its facets. Therefore a tetrahedron whose points are all lower crossings, or all at the
- * first step, is on the boundary and belongs to one 4-simplex. The boundary triangles are faces of
- * the tetrahedra at the first or last step.
+ * SpaceTimeTable lifts a cell by one dimension, as in vtkIntervalVolume. The lifted cell is convex,
+ * so it lies on one side of each of its facets. Therefore a tetrahedron whose points are all lower
+ * crossings, or all at the first step, is on the boundary and belongs to one 4-simplex. The
+ * boundary triangles are faces of the tetrahedra at the first or last step.
  */
 class TimeVaryingBoundary
 {

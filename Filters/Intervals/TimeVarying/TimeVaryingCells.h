@@ -27,14 +27,14 @@ namespace interlume
 using TimeVaryingCell = TableCell<2>;
 
 /**
- * Base class of TimeVaryingRows and TimeVaryingUnstructured that finds the cells to skip. Cells of
- * other pieces are not skipped if values equal bounds, because the output at the faces between
- * pieces depends on them.
+ * Base class of TimeVaryingRows and TimeVaryingUnstructured. Determines which cells are skipped.
+ * Ghost cells are not skipped if any value equals a bound, because they then affect the output on
+ * the faces between pieces.
  */
 class TimeVaryingCellsBase
 {
 public:
-  /// Returns true if a cell belongs to another piece. The cell must not be blanked.
+  /// Returns true if a cell that is not skipped belongs to another piece.
   bool IsDuplicate(vtkIdType cell) const
   {
     return GhostCells::IsGhost(*this->Steps[0], cell) || GhostCells::IsGhost(*this->Steps[1], cell);
@@ -71,7 +71,7 @@ protected:
 
 /**
  * @class   TimeVaryingRows
- * @brief   the hexahedra of image data, rectilinear and structured grids
+ * @brief   reads the cells of image data, rectilinear grids and structured grids
  */
 class TimeVaryingRows : public TimeVaryingCellsBase
 {
@@ -105,7 +105,8 @@ public:
   void FreeMarks() {}
   std::size_t GetMarkBytes() const { return 0; }
 
-  /// Appends the cells in [first, last) that an interval may intersect.
+  /// Appends the cells in [first, last) that an interval may intersect to \a near, and counts the
+  /// skipped cells.
   void FindIntersected(
     vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
@@ -122,7 +123,7 @@ public:
       const Code* rows[8];
       for (int row = 0; row < 8; ++row)
       {
-        // Each row of points starts at an even corner.
+        // At each step, a cell touches four rows of points. Row r contains corners 2r and 2r + 1.
         rows[row] = this->Steps[row / 4]->GetCodes() + cell.Ids[2 * (row % 4)];
       }
       RowKernels::FindRanges(rows, number, minimum, maximum, all);
@@ -185,9 +186,9 @@ private:
 
 /**
  * @class   TimeVaryingUnstructured
- * @brief   the cells of an unstructured grid
+ * @brief   reads the cells of an unstructured grid
  *
- * \a Stored is the value type of the cell array.
+ * \a Stored is the integer type of the offsets and connectivity arrays.
  */
 template <typename Stored>
 class TimeVaryingUnstructured : public TimeVaryingCellsBase
@@ -203,8 +204,9 @@ public:
   }
 
   ///@{
-  /// Compute and free the marks for FindIntersected() (for each point, the union of its marks at
-  /// both steps), and return their size. MakeMarks() returns false if the user aborted.
+  /// Compute and free the point marks that FindIntersected() uses, and return their size in bytes.
+  /// The mark of a point is the union of its marks at both steps. MakeMarks() returns false if the
+  /// user aborted.
   bool MakeMarks(const ExtractionContext& context)
   {
     return context.Run(this->Steps[0]->GetNumberOfPoints(), 0.1, 0.2,

@@ -18,8 +18,8 @@ using Sides = SpaceTimeSlots::Sides;
 using Slot = SpaceTimeTable::Slot;
 using SideArray = std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots>;
 
-// Extra bit next to those of Sides: the value at the corner equals the bounds of a zero-width
-// interval.
+// Bit used in addition to those of Sides: the value at the corner equals the bound of an interval
+// of zero width.
 constexpr unsigned Equal = 16;
 
 int GetNumberOfSlots(const SpaceTimeTable& table)
@@ -116,14 +116,15 @@ void TimeVaryingCut::AddFlatSides(const SpaceTimeTable& table, const SpaceTimeSl
 {
   const int vertices = table.GetNumberOfVertices();
   const Code tie = item.First;
-  // The surface is a lower one if any corner is below the value, otherwise an upper one. Determine
-  // this for all corners together, and for the corners at each step.
+  // The surface belongs to the lower bound if the value at any corner is less than the bound,
+  // otherwise to the upper bound. Test all corners together, and the corners at each step
+  // separately.
   const int corners = vertices / 2;
   const int upper = *std::min_element(codes, codes + vertices) < tie ? 0 : 1;
   const int upperAt[2] = { *std::min_element(codes, codes + corners) < tie ? 0 : 1,
     *std::min_element(codes + corners, codes + vertices) < tie ? 0 : 1 };
   SideArray sides{};
-  // The steps at which all corners equal the value.
+  // The steps at which the values at all corners equal the bound.
   unsigned full = Sides::START | Sides::END;
   for (int v = 0; v < vertices; ++v)
   {
@@ -138,7 +139,7 @@ void TimeVaryingCut::AddFlatSides(const SpaceTimeTable& table, const SpaceTimeSl
     {
       if (on & Equal)
       {
-        // The side is oriented outward from the neighbor cell.
+        // Reverse the side, because the region that it bounds is in the neighbor cell.
         this->Add(Kinds::LOWER_SURFACE_IN_TIME + upper, 4, points.data(), true);
         if (on & full)
         {

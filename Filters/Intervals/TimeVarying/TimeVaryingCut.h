@@ -15,12 +15,12 @@ namespace interlume
 
 /**
  * @class   TimeVaryingCut
- * @brief   cut of a case between two time steps, in a cell where several slots are the same point
+ * @brief   cuts a cell between two time steps where several slots are the same point
  *
- * This class corresponds to MergedCut, with time as an additional axis. It also finds the boundary
- * cells of all kinds. The sides of the convex pieces are triangulated separately because a piece
- * without hypervolume also has sides. The volume and its surfaces at a step equal the result of
- * vtkIntervalVolume for that step.
+ * This class extends MergedCut to four dimensions, and also finds the boundary cells of all kinds.
+ * Boundary cells are triangulated separately from the 4-simplices, because a convex piece of zero
+ * hypervolume also has boundary cells. At each step, the volume and its surfaces are the same as
+ * those that vtkIntervalVolume extracts from that step.
  */
 class TimeVaryingCut
 {
@@ -38,9 +38,9 @@ public:
     int Kind;
   };
 
-  /// Cuts the case in the order of \a ranks. \a same maps each slot to the slot that represents its
-  /// point. \a inside is the case with all corners inside the interval. If \a hasSides is false,
-  /// boundary cells are not computed.
+  /// Cuts case \a what in the order of \a ranks. \a same maps each slot to the slot that represents
+  /// its point. \a inside is the case with all corners inside the interval. If \a hasSides is
+  /// false, boundary cells are not computed.
   void Compute(const SpaceTimeTable& table, const SpaceTimeSlots& slots, const Item& item,
     const Code* codes, const SpaceTimeTable::Case& what, const SpaceTimeTable::Case& inside,
     const SpaceTimeTable::RankArray& ranks, const Slot* same, bool hasSides);

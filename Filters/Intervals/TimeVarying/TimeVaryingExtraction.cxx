@@ -36,7 +36,8 @@ using Slot = SpaceTimeTable::Slot;
 using Simplex = SpaceTimeTable::Simplex;
 using Tables = SlotTables<SpaceTimeTable>;
 
-// Chunks are small to balance the load of the threads, because cells with output tend to cluster.
+// Number of cells in a chunk. Small chunks balance the load of the threads, because cells with
+// output tend to cluster.
 constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = SpaceTimeTable::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = SpaceTimeTable::MaximumNumberOfSlots;
@@ -56,9 +57,10 @@ struct Chunk
 {
   std::vector<Found> Cases;
   std::vector<TimeVaryingMesh::BoundaryCell> Boundary;
-  // The parts of the volume at both steps that lie in cells with merged slots.
+  // Tetrahedra of the interval volume at either step, from cells with merged slots.
   std::vector<TimeVaryingMesh::BoundaryCell> StepVolume;
-  // The 4-simplices that lie above a single face of a cell with merged slots.
+  // Indices of the 4-simplices from cells with merged slots that lie above a single cell face (see
+  // SpaceTimeSlots).
   std::vector<vtkIdType> Tied;
   vtkIdType Simplices = 0;
   bool HasDuplicates = false;
@@ -70,8 +72,8 @@ struct Chunk
 struct OwnCut
 {
   std::vector<Simplex> Simplices;
-  // The simplices and boundary cells if slots were merged. Otherwise the boundary cells follow from
-  // the simplices.
+  // The simplices and boundary cells if slots were merged. Otherwise the boundary cells are derived
+  // from the simplices.
   TimeVaryingCut Merged;
   bool IsMerged = false;
   // The slots in use, in ascending order.
@@ -153,8 +155,8 @@ public:
     return local.GetCase(cell.Shape, key);
   }
 
-  // Returns true if the cut stored in the table applies. Otherwise merges slots at the same point
-  // and cuts the case in the global order.
+  // Returns true if the cut stored in the table applies. Otherwise merges the slots of the same
+  // point, cuts the case in the global order, and stores the cut in \a local.
   bool Cut(const Cell& cell, const Item& item, const Case& what, Local& local) const
   {
     OwnCut& cut = local.Own;
@@ -253,7 +255,8 @@ public:
     return (sign != 0 ? sign : this->Orientations[1].GetSign(cell.Shape, cell.Ids)) < 0;
   }
 
-  // Writes the 4-simplices of a case, beginning at index \a next. \a ids holds the id of each slot.
+  // Writes the 4-simplices of a case, beginning at index \a next. \a ids holds the point id of each
+  // slot.
   void WriteSimplices(const Cell& cell, const Found& found, Local& local, const vtkIdType* ids,
     bool isInverted, bool isDuplicate, vtkIdType next)
   {
@@ -423,7 +426,8 @@ public:
     }
     const vtkTimeVaryingSettings& settings = this->Mesh.GetOptions().Settings;
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
-    // If values equal bounds, the 4-simplices decide which boundary cells remain.
+    // If a value equals a bound, the 4-simplices are needed to determine which boundary cells
+    // remain.
     const bool isNeeded = settings.GenerateTetrahedra || settings.GenerateSimplices ||
       (this->HasBoundary && (this->Steps[0]->HasTies() || this->Steps[1]->HasTies()));
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
@@ -476,9 +480,9 @@ public:
     }
   }
 
-  // Adds the boundary cells of all chunks to the mesh in order, and removes opposite 4-simplices.
-  // Two neighbor cells may have the same 4-simplex above their common face with opposite
-  // orientation.
+  // Adds the boundary cells of all chunks to the mesh in order, and removes pairs of 4-simplices
+  // with the same points and opposite orientation. Two neighbor cells may have such a pair above
+  // their common face.
   void Finish()
   {
     std::vector<vtkIdType> tied;
@@ -523,7 +527,7 @@ private:
       const auto& simplices = isPlain ? what.Simplices : local.Own.GetSimplices();
       if (!isPlain && local.Own.IsMerged)
       {
-        // A cut in a different slot order than the table's may have more simplices.
+        // A cut in another slot order may have more simplices than the stored cut.
         const std::size_t left = std::min(simplices.size(), what.Simplices.size());
         chunk.Report.CollapsedSimplices += static_cast<vtkIdType>(what.Simplices.size() - left);
       }

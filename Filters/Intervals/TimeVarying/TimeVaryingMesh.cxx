@@ -27,8 +27,8 @@ vtkIdType GetOwner(const ExtractionPoint& point)
   return std::min(point.Near, point.Far);
 }
 
-// Replaces grid points at the second step by the same points at the first step. Valid only if the
-// grid points do not move.
+// Replaces the ids of grid points at the second step with the ids of the same points at the first
+// step. Valid only if the grid points do not move.
 PointList Fold(const PointList& points, vtkIdType split)
 {
   const auto fold = [split](vtkIdType id) { return id < split ? id : id - split; };
@@ -90,7 +90,7 @@ bool IsSurfaceAtStep(int kind)
   return kind < Kinds::LOWER_SURFACE_IN_TIME;
 }
 
-// Returns a unique number for an interval at the first or at the last step.
+// Returns a unique number for each combination of an interval and a step (the first or the last).
 vtkIdType GetGroup(int item, int kind)
 {
   const bool isAtEnd = kind == Kinds::VOLUME_AT_END || kind == Kinds::LOWER_SURFACE_AT_END ||
@@ -98,7 +98,7 @@ vtkIdType GetGroup(int item, int kind)
   return 2 * static_cast<vtkIdType>(item) + isAtEnd;
 }
 
-// Calls visit(face) for the outward faces of a simplex.
+// Calls visit(face) for each face of a simplex, oriented outward.
 template <std::size_t Size, typename Visitor>
 void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
 {
@@ -107,8 +107,8 @@ void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
     std::array<vtkIdType, Size - 1> face;
     std::copy_n(simplex.begin(), i, face.begin());
     std::copy(simplex.begin() + i + 1, simplex.end(), face.begin() + i);
-    // The face opposite a point with an even index is outward, for a positive tetrahedron as well
-    // as for a positive 4-simplex.
+    // In a positively oriented tetrahedron or 4-simplex, the face without point i is oriented
+    // outward if i is even.
     if (i % 2 == 1)
     {
       std::swap(face[0], face[1]);
@@ -129,7 +129,7 @@ void AppendCells(const std::vector<TimeVaryingMesh::BoundaryCell>& cells, int sl
 
 using Entry = OppositePairs::Entry<vtkIdType, 6>;
 
-// Returns the key of a 4-simplex for comparison with others of its interval.
+// Returns the OppositePairs entry of 4-simplex \a s. Only 4-simplices of the same interval match.
 Entry MakeEntry(const TimeVaryingMesh::Slab& slab, std::size_t s, std::size_t index)
 {
   Entry entry{ { { slab.GetItem(static_cast<vtkIdType>(s)) } }, false, index };

@@ -31,8 +31,8 @@ class TimeStep;
  * @brief   the 4-simplices of a dataset over all slabs, with their points and boundary
  *
  * A point has a position, a time and the arrays of the input. Adjacent slabs share the points at
- * their common step. The shared points are found by merging the two point lists, which have the
- * same order.
+ * their common step. The shared points are found by merging the point lists of both slabs, which
+ * are sorted in the same order.
  */
 class TimeVaryingMesh
 {
@@ -44,7 +44,7 @@ public:
   {
     int Number = 0;
     ExtractionBuffer<Simplex> Simplices;
-    /// The interval of each 4-simplex. Empty if there is one interval.
+    /// The interval of each 4-simplex. Empty if there is only one interval.
     ExtractionBuffer<int> Items;
     /// The degenerate facets of each 4-simplex (see SimplexProjection). Empty if no projection is
     /// requested.
@@ -69,10 +69,10 @@ public:
     int Kind;
     int Item;
     int Slab;
-    /// If true, values equal a bound in the cell. The boundary cell may then cancel another one or
-    /// bound no volume.
+    /// If true, values in the input cell equal a bound. This boundary cell may then cancel another
+    /// one, or bound no volume.
     bool IsTied;
-    /// If true, the cell belongs to another piece.
+    /// If true, the input cell belongs to another piece.
     bool IsDuplicate;
   };
 
@@ -105,8 +105,8 @@ public:
   }
 
   /**
-   * Adds the points of the slab and returns their ids. \a points and \a lists are the results of
-   * CrossingLists::MakePoints(). Set \a isStatic if the grid points do not move.
+   * Adds the points of the slab and returns their ids. \a points must be the result of MakePoints()
+   * of \a lists. Set \a isStatic if the grid points do not move.
    */
   ExtractionBuffer<vtkIdType> AddPoints(const TimeStep& first, const TimeStep& second,
     const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists, bool isStatic);
@@ -114,35 +114,37 @@ public:
   /// Adds boundary cells of the slab and sets their slab number.
   void AddBoundary(const std::vector<BoundaryCell>& cells);
 
-  /// Adds parts of the volume at the two steps of the slab, in cells where values equal a bound.
+  /// Adds tetrahedra of the interval volume at either step of the slab, from cells where values
+  /// equal a bound.
   void AddStepVolume(const std::vector<BoundaryCell>& cells);
 
-  /// Among the 4-simplices \a tied of the slab, removes pairs with the same points and opposite
-  /// orientation. Returns the number of removed 4-simplices.
+  /// Removes pairs with the same points and opposite orientation from the 4-simplices of the slab
+  /// whose indices are in \a tied. Returns the number of removed 4-simplices.
   vtkIdType RemoveOppositeSimplices(const std::vector<vtkIdType>& tied);
 
-  /// Removes pairs of 4-simplices that lie in a time step and have the same points and opposite
-  /// orientation. They may belong to the slabs before and after the step. Applies only if
-  /// 4-simplices are requested.
+  /// Removes pairs of 4-simplices that lie entirely at one time step and have the same points and
+  /// opposite orientation, even if one belongs to the slab before the step and the other to the
+  /// slab after it. Applies only if 4-simplices are requested. Returns the number of removed
+  /// 4-simplices.
   vtkIdType RemoveOppositeAtSteps();
 
   /**
    * Decides which boundary cells to keep where values equal a bound. Call this after all slabs were
-   * added. Pairs with the same points and opposite orientation are removed. Of the remaining cells,
-   * tetrahedra in time are kept if they are faces of 4-simplices (counted with their orientation),
-   * and triangles are kept if they are faces of the volume at their step.
+   * added. Pairs with the same points and opposite orientation are removed. A remaining tetrahedron
+   * of a surface in time is kept if it is a face of a 4-simplex, and a remaining triangle if it is
+   * a face of the volume at its step. Faces with opposite orientation cancel each other.
    */
   void SettleTiedBoundary();
 
-  /// Removes the second copy of each volume part that occurs in both slabs adjacent to a step, and
-  /// pairs of parts with opposite orientation.
+  /// Removes duplicates among the tetrahedra added by AddStepVolume(), and pairs with the same
+  /// points and opposite orientation. Both slabs adjacent to a step may add the same tetrahedron.
   void SettleStepVolume();
 
-  /// Removes the cells of other pieces, and points that only these cells use. Call this last.
-  /// Returns the number of removed 4-simplices.
+  /// Removes the output of cells of other pieces, and the points that only this output uses. Call
+  /// this last. Returns the number of removed 4-simplices.
   vtkIdType RemoveDuplicates();
 
-  /// Returns the current slab, the one started last.
+  /// Returns the slab started last.
   Slab& GetSlab() { return this->Slabs.back(); }
 
   ///@{
@@ -157,20 +159,20 @@ public:
   const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
   const std::vector<BoundaryCell>& GetStepVolume() const { return this->StepVolume; }
 
-  /// Returns the keys (see ArrayMatch) of point arrays that were skipped because a step lacks them.
+  /// Returns the keys (see ArrayMatch) of the skipped point arrays: those that a step lacks, and
+  /// those named `Time` or `DeltaT`.
   const std::vector<std::string>& GetSkippedArrays() const { return this->SkippedArrays; }
 
   std::size_t GetBytes() const;
 
-  /// Returns a point in the coordinates of the projection. The last coordinate is along the
-  /// projection.
+  /// Returns a point in projection coordinates, see TimeVaryingOptions::Project().
   SimplexProjection::Point GetProjected(vtkIdType id) const
   {
     return this->Floats ? this->GetProjected(this->Floats, id)
                         : this->GetProjected(this->Doubles, id);
   }
 
-  /// Gets the corners of the given simplices in the coordinates of the projection.
+  /// Gets the corners of \a number simplices in projection coordinates.
   void GetProjected(const Simplex* simplices, int number, SimplexProjection::Corners* corners) const
   {
     this->Floats ? this->GetProjected(this->Floats, simplices, number, corners)
@@ -178,7 +180,8 @@ public:
   }
 
 private:
-  // A point at the end of a slab: its owner and key in the next slab, and its id in the mesh.
+  // A point at the second step of a slab: its owner and key in the next slab, and its id in the
+  // mesh.
   struct SharedPoint
   {
     vtkIdType Owner;
@@ -229,7 +232,7 @@ private:
   TimeVaryingOptions Options;
   std::array<bool, vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS> RequiredKinds{};
   vtkSmartPointer<vtkPoints> Points;
-  // The point coordinates; the pointer of the other type is null.
+  // The point coordinates. One of the two pointers is null.
   const float* Floats = nullptr;
   const double* Doubles = nullptr;
   vtkSmartPointer<vtkDoubleArray> Times;

@@ -45,9 +45,8 @@ public:
   bool IsAlongTime() const { return this->Direction[3] == 1.0; }
 
   /**
-   * Transforms a point in (x,y,z,t) to the axes of the projection: the axes x, y, z, t rotated by
-   * the smallest rotation that takes t to the projection direction. The last coordinate is along
-   * the projection.
+   * Transforms a point from (x,y,z,t) to projection coordinates. Their axes are x, y, z, t rotated
+   * by the smallest rotation that takes t to the projection direction.
    */
   void Project(double x[4]) const
   {

@@ -16,13 +16,14 @@ struct ExtractionContext;
  * @class   TimeVaryingOutput
  * @brief   creates the outputs from a finished mesh of 4-simplices
  *
- * The number of cells created is added to the report.
+ * The numbers of tetrahedra and boundary cells created are added to the report.
  */
 class TimeVaryingOutput
 {
 public:
-  /// Creates the tetrahedra of all projections. The output has the points of the mesh, followed by
-  /// one thick point (where DeltaT is stored) per 4-simplex. Returns false if the user aborted.
+  /// Creates the tetrahedra of all projected 4-simplices. The output has the points of the mesh,
+  /// followed by one thick point, where DeltaT is nonzero, per 4-simplex that is not degenerate.
+  /// Returns false if the user aborted.
   static bool FillTetrahedra(const ExtractionContext& context, const TimeVaryingMesh& mesh,
     vtkUnstructuredGrid* output, TimeVaryingReport& report);
   /// Creates the boundary cells, with the points of the mesh.

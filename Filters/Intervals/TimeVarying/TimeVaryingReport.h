@@ -22,16 +22,18 @@ struct TimeVaryingReport : ExtractionReport
   int Slabs = 0;
   /// Number of 4-simplices.
   vtkIdType Simplices = 0;
-  /// Number of degenerate 4-simplices, which have no volume when projected or no extent along the
-  /// projection, and produce no tetrahedra. Counted if tetrahedra are generated.
+  /// Number of degenerate 4-simplices: those whose projection has no volume, or that have no extent
+  /// along the projection direction. They produce no tetrahedra. Counted only if tetrahedra are
+  /// generated.
   vtkIdType FlatSimplices = 0;
-  /// Number of negatively oriented 4-simplices. Counted if tetrahedra are generated.
+  /// Number of negatively oriented 4-simplices. Counted only if tetrahedra are generated.
   vtkIdType InvertedSimplices = 0;
-  /// Number of tetrahedra of each class: 1, 2, 3a, 3b, 4, 5. All 0 if tetrahedra are not requested.
+  /// Number of tetrahedra of each class (see SimplexProjection), in the order 1, 2, 3a, 3b, 4, 5.
+  /// All 0 if tetrahedra are not requested.
   std::array<vtkIdType, 6> Tetrahedra{};
   /// Number of boundary cells of each kind. 0 if a kind is not requested.
   std::array<vtkIdType, 8> Boundaries{};
-  /// Number of lookups in tables computed at run time, and number of cases computed for them. If
+  /// Number of lookups in space-time tables, and number of cases that these lookups computed. If
   /// several filters in a process need a case at the same time, any of them may compute it.
   vtkIdType TableLookups = 0;
   vtkIdType TableCasesComputed = 0;

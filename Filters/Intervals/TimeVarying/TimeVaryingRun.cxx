@@ -177,8 +177,8 @@ Error TimeVaryingRun::AddLeafStep(
   {
     return error;
   }
-  // Add the dataset of the second step, because the source may have overwritten that of the first
-  // step. Both have the same cells.
+  // Use the dataset of the second step for the diagnosis, because the source may have overwritten
+  // the dataset of the first step. Both have the same cells.
   this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
   leaf.ScalarsKey = ArrayMatch::GetKey(input->GetPointData(), scalars);
   if (leaf.Before && leaf.Before->IsOverwritten(input, scalars))

@@ -39,8 +39,8 @@ public:
     OVERWRITTEN
   };
 
-  /// Starts a run. \a times holds the times of the steps to use. The first one is step \a firstStep
-  /// of the input.
+  /// Starts a run. \a times holds the times of the steps to use. The first of these is step \a
+  /// firstStep of the input.
   TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
     const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
     int firstStep, const std::vector<double>& times);

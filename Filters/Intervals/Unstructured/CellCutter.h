@@ -37,10 +37,9 @@ public:
   const ShapeTables& GetTables() const { return this->Tables; }
   const ChunkCuts::Kind& GetKind() const { return this->Kind; }
 
-  /// Cuts a cell according to its case for item \a number, and returns the record of the case. If
-  /// the cut stored in the table does not apply, a new cut is made and stored in \a cuts. \a slots
-  /// is a buffer for the slots of the cut. Adds the number of removed degenerate simplices to \a
-  /// collapsed.
+  /// Cuts a cell for item \a number and returns the case of the cell. If the cut stored in the
+  /// table does not apply, a new cut is computed and stored in \a cuts. \a slots is a buffer for
+  /// the slots of the cut. Adds the number of removed degenerate simplices to \a collapsed.
   ChunkCuts::Found Cut(const Cell& cell, std::size_t number, vtkIdType position, bool isInverted,
     MergedCut& merged, ChunkCuts& cuts, ChunkCuts::SlotBuffer& slots, CellCut& cut,
     vtkIdType& collapsed) const
@@ -61,8 +60,8 @@ public:
     return { position, key, number, isPlain, isMerged, isInverted };
   }
 
-  /// Calls visit(cell, shape, found, cut) for each case in \a cuts. \a begin is the first cell of
-  /// the chunk.
+  /// Calls visit(cell, shape, found, cut) for each case in \a cuts. \a begin is the id of the first
+  /// cell of the chunk.
   template <typename Stored, typename Visitor>
   void ForEachCut(vtkIdType begin, const UnstructuredCells<Stored>& cells, const ChunkCuts& cuts,
     Visitor&& visit) const

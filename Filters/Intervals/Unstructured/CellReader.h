@@ -25,7 +25,7 @@ namespace interlume
  * @class   CellReader
  * @brief   reads the cells of an unstructured grid that an item may intersect
  *
- * \a Stored is the value type of the cell array.
+ * \a Stored is the integer type of the offsets and connectivity arrays.
  */
 template <typename Stored>
 class CellReader
@@ -34,7 +34,7 @@ public:
   using Cell = TableCell<1>;
   using Code = ExtractionValues::Code;
 
-  /// Reads \a grid with the cell arrays \a offsets and \a ids.
+  /// \a offsets and \a ids are the offsets and the connectivity of the cells of \a grid.
   CellReader(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
     const Stored* ids)
     : Context(context)
@@ -71,8 +71,8 @@ public:
   }
 
   /// Finds the cells in [begin, end) that an item may intersect, and stores their offsets from \a
-  /// begin. All cells from \a firstPassed on are included, and are listed first in each run of
-  /// cells. Returns the number of cells found.
+  /// begin in \a near. Cells from \a firstPassed on are always included, before the other cells of
+  /// their run (see ExtractionIndex). Returns the number of cells found.
   int FindIntersected(vtkIdType begin, vtkIdType end, vtkIdType firstPassed, std::uint16_t* near,
     ExtractionReport& report) const
   {
@@ -121,7 +121,7 @@ public:
     }
   }
 
-  /// Reads the codes of a cell's corners. Returns the minimum and the maximum.
+  /// Reads the codes of a cell's corners. Returns their minimum and maximum.
   std::pair<Code, Code> ReadCodes(Cell& cell) const
   {
     Code minimum = std::numeric_limits<Code>::max();
@@ -142,7 +142,8 @@ public:
                                          : this->Orientation.IsInverted(cell.Shape, cell.Ids);
   }
 
-  /// If \a hasOutput is true, counts a cell in the report, and also as a folded cell if it is one.
+  /// If \a hasOutput is true, counts a cell as a cell with output, and also as a folded cell if it
+  /// is folded.
   void CountOutput(const Cell& cell, bool hasOutput, ExtractionReport& report) const
   {
     report.CellsWithOutput += hasOutput;

@@ -16,7 +16,7 @@ using ShapeTables = SlotTables<vtkIsotable>;
 
 /**
  * @class   CellCut
- * @brief   cut of a case in a cell
+ * @brief   the simplices and boundary triangles that one case produces in a cell
  */
 struct CellCut
 {
@@ -31,7 +31,7 @@ struct CellCut
 
 /**
  * @class   ChunkCuts
- * @brief   the cases of a chunk of cells, and the cuts that differ from the case tables
+ * @brief   the cases of a chunk of cells, and the cuts that are not stored in the case tables
  */
 class ChunkCuts
 {
@@ -78,7 +78,6 @@ public:
     std::size_t Triangle = 0;
   };
 
-  /// Buffer for the slots of a cut.
   using SlotBuffer = Slot[vtkIsotable::MaximumNumberOfSlots];
 
   static CellCut GetTableCut(const vtkIsotable::Case& what, const Kind& kind)
@@ -115,7 +114,7 @@ public:
   }
 
   /// Calls visit(cell, shape, found, cut) for each case in the order of addition. \a first is the
-  /// first cell of the chunk and getShape(cell) returns the shape of a cell.
+  /// id of the first cell of the chunk, and getShape(cell) returns the shape of a cell.
   template <typename GetShape, typename Visitor>
   void ForEach(vtkIdType first, const ShapeTables& tables, const Kind& kind, GetShape&& getShape,
     Visitor&& visit) const

@@ -23,9 +23,9 @@ class ExtractionScalars;
  *
  * Of the two ends of a crossed edge, the end with the lower id owns the crossing. A grid point that
  * is itself an output point is the first point in its own list. Any number of threads may enter
- * points. Each list is a chain that grows only at its head, by compare-and-swap, so no point is
- * entered twice. MakePoints() sorts the lists and numbers all points in the order of their owners.
- * The numbers are therefore independent of the thread schedule.
+ * points. Each list is a linked list that grows only at its head, by compare-and-swap, so no point
+ * is entered twice. MakePoints() sorts the lists and numbers all points in the order of their
+ * owners. The numbers are therefore independent of the thread schedule.
  */
 class CrossingLists
 {
@@ -39,7 +39,7 @@ public:
     union
     {
       Node* Next;
-      /// Id of the point after MakePoints(), if nodes are stored.
+      /// Id of the point after MakePoints(), if nodes are kept.
       vtkIdType Id;
     };
   };
@@ -50,10 +50,10 @@ public:
   CrossingLists(vtkIdType owners, bool keepNodes);
   ~CrossingLists();
 
-  /// Returns the memory for the nodes of the calling thread.
+  /// Returns the arena that allocates the nodes of the calling thread.
   Arena& GetArena() { return this->Arenas.Local(); }
 
-  /// Enters a point. The default key represents the owner itself.
+  /// Enters a point in the list of its owner. The default key represents the owner itself.
   const Node* Enter(vtkIdType owner, CrossingKey key, Arena& arena)
   {
     Node* const head = this->Heads[owner].First.load(std::memory_order_acquire);
@@ -67,7 +67,7 @@ public:
     return this->Add(owner, key, head, arena);
   }
 
-  /// Prefetches the list of a point that will be entered or searched soon.
+  /// Prefetches the list of an owner that will be needed soon.
   void Prefetch(vtkIdType owner) const { interlume::Prefetch::Read(&this->Heads[owner]); }
 
   /// Numbers the points and computes their edges and weights. Do not enter points afterward.
@@ -91,7 +91,7 @@ public:
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:
-  // The chain of an owner, or the id of its first point once the points are numbered.
+  // The linked list of an owner, or the id of its first point once the points are numbered.
   union Head
   {
     std::atomic<Node*> First;

@@ -18,8 +18,8 @@ namespace interlume
  * @class   InteriorCells
  * @brief   copies the cells inside an interval to the output without cutting them
  *
- * \a Stored is the value type of the cell array. In all methods, \a points is a buffer of the
- * calling thread.
+ * \a Stored is the integer type of the offsets and connectivity arrays. In all methods, \a points
+ * is a buffer of the calling thread.
  */
 template <typename Stored>
 class InteriorCells
@@ -39,7 +39,8 @@ public:
   {
   }
 
-  /// Computes the value ranges of polyhedra. Call this first. Returns false if the user aborted.
+  /// Computes the ranges of the codes of polyhedra. Call this first. Returns false if the user
+  /// aborted.
   bool FindRanges(vtkIdType numberOfCells)
   {
     return this->Polyhedra.FindRanges(this->Reader.GetCodes(), numberOfCells, 0.05, 0.05);
@@ -48,8 +49,8 @@ public:
   /// Returns the first cell that the previous pass copied uncut.
   vtkIdType GetFirstPassed() const { return this->Filter.GetFirstPassed(); }
 
-  /// Returns true if a cell with codes from \a minimum to \a maximum is passed through. A
-  /// tetrahedron is not, because cutting it yields the tetrahedron itself.
+  /// Returns true if a cell with codes from \a minimum to \a maximum is copied uncut for \a item.
+  /// Tetrahedra are not, because cutting them yields the same tetrahedra.
   bool IsInside(vtkIdType cell, const Item& item, Code minimum, Code maximum) const
   {
     if (this->Filter.IsPart(cell))
@@ -67,8 +68,8 @@ public:
       [this](vtkIdType point) { return this->Filter.MayHave(point); });
   }
 
-  /// Counts a cell that is passed through in every interval that it intersects. If the cell has to
-  /// be cut in an interval, returns false and counts nothing.
+  /// Counts a cell that is copied uncut for every interval that it intersects. If the cell has to
+  /// be cut for any interval, returns false and counts nothing.
   bool Count(vtkIdType id, vtkIdType position, Chunk& chunk, CrossingLists& lists,
     CrossingLists::Arena& arena, std::vector<vtkIdType>& points) const
   {
@@ -105,7 +106,7 @@ public:
     return true;
   }
 
-  /// Records that a cell is passed through for an item, and enters its points.
+  /// Records that a cell is copied uncut for an item, and enters its points.
   void Enter(vtkIdType id, vtkIdType position, std::size_t item, Chunk& chunk, CrossingLists& lists,
     CrossingLists::Arena& arena, std::vector<vtkIdType>& points) const
   {
@@ -124,7 +125,7 @@ public:
       { static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(item) });
   }
 
-  /// Writes the interior cells of a chunk. \a begin is the first cell of the chunk.
+  /// Writes the interior cells of a chunk. \a begin is the id of the first cell of the chunk.
   void Write(vtkIdType begin, const Chunk& chunk, const CrossingLists& lists, ExtractionMesh& mesh,
     std::vector<vtkIdType>& points) const
   {
@@ -145,8 +146,8 @@ public:
   }
 
 private:
-  // Returns the type of an interior cell, and gets its points in the order of the input. Of the
-  // parts of a polyhedron, only the first one has points.
+  // Returns the type of an interior cell, and gets its points in the order of the input. The points
+  // of a polyhedron are returned for its first part only.
   unsigned char GetPoints(vtkIdType cell, std::vector<vtkIdType>& points) const
   {
     if (this->Filter.IsPassed(cell))

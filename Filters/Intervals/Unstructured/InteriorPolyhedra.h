@@ -22,7 +22,7 @@ namespace interlume
  *
  * A polyhedron is split into cells (its parts) that have the mean of its points as their common
  * apex. The test uses the points of the polyhedron only, not the mean. The first part represents
- * the polyhedron. \a Stored is the value type of the cell array.
+ * the polyhedron. \a Stored is the integer type of the offsets and connectivity arrays.
  */
 template <typename Stored>
 class InteriorPolyhedra
@@ -74,7 +74,8 @@ public:
     points.clear();
     if (this->GetType(part) != VTK_POLYHEDRON)
     {
-      // The cell is a prism, whose type defines the order of its points.
+      // The original cell is a pentagonal or hexagonal prism, whose type defines the order of its
+      // points.
       vtkNew<vtkIdList> ids;
       this->Filter.GetOriginal()->GetCellPoints(this->Filter.GetOriginal(part), ids);
       points.assign(ids->begin(), ids->end());

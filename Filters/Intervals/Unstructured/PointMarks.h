@@ -100,7 +100,8 @@ public:
   void Free() { this->Marks.Free(); }
   std::size_t GetBytes() const { return this->Marks.GetBytes(); }
 
-  /// Returns true if there is a single isovalue. The marks then mean below, equal and above.
+  /// Returns true if there is a single isovalue. The marks 1, 2 and 4 then mean below, equal and
+  /// above.
   bool AreOfOneValue() const { return this->NonFinite == 3; }
   ///@{
   /// For a single isovalue: IsReached() returns true if a point's value is at least the isovalue,
@@ -110,7 +111,7 @@ public:
   static bool HasTie(Mark all) { return all & 2; }
   ///@}
 
-  /// The following functions take the bitwise union of the marks of all corners.
+  /// The following functions take the bitwise union of the marks of a cell's corners.
   static bool IsNonFinite(Mark all) { return all & NonFiniteMark; }
   bool MayIntersect(Mark all) const { return this->Near[all]; }
 
@@ -122,8 +123,8 @@ private:
   int Shift = 0;
   std::array<bool, 256> Near{};
   std::vector<Mark> CodeMarks;
-  // Difference between the mark of each code and the mark of the previous code, from the second
-  // code on.
+  // Difference between the mark of each code and the mark of the previous code, starting with the
+  // second code.
   std::vector<Mark> Steps;
   ExtractionBuffer<Mark> Marks;
 };

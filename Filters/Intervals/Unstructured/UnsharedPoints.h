@@ -27,7 +27,7 @@ class UnsharedPoints
 public:
   using Index = PointArrays::Part::Index;
 
-  /// Removes all points and triangles, to start a new part.
+  /// Removes all points and triangles. Call this before each chunk.
   void Begin()
   {
     this->Number = 0;
@@ -58,7 +58,7 @@ public:
     return this->Number++;
   }
 
-  /// Adds the triangles of a cut. \a points holds the index of each slot.
+  /// Adds the triangles of a cut. \a points holds the point index of each slot.
   void Add(
     const vtkIsotable::Simplex* triangles, std::size_t number, const Index* points, bool isInverted)
   {
@@ -110,7 +110,8 @@ private:
     return (0x9E3779B97F4A7C15u * sum) >> (64 - TableBits);
   }
 
-  // The arrays have unused capacity at the end.
+  // Points and Corners may be larger than needed. Number and NumberOfCorners count the elements in
+  // use.
   std::vector<ExtractionPoint> Points;
   std::vector<Index> Corners;
   Index Number = 0;

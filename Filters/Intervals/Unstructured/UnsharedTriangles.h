@@ -18,9 +18,9 @@ namespace interlume
 
 /**
  * @class   UnsharedTriangles
- * @brief   counts contour triangles that share no points
+ * @brief   counts and collects contour triangles that share no points
  *
- * \a Stored is the value type of the cell array.
+ * \a Stored is the integer type of the offsets and connectivity arrays.
  */
 template <typename Stored>
 class UnsharedTriangles
@@ -117,13 +117,13 @@ private:
     const bool isInverted = this->Reader.IsInverted(cell);
     const Item& item = this->Context.Values->GetItems().front();
     Index points[vtkIsotable::MaximumNumberOfSlots];
-    // Sort slots by the lower end of the edge, then by the upper end.
+    // Slots are ranked by the lower point id of their edge, then by the higher one.
     std::uint64_t ranks[vtkIsotable::MaximumNumberOfSlots];
     unshared.Reserve();
     for (const Slot slot : what.Slots)
     {
-      // If no corner has the contour value, no slot is a corner. A contour of one value has one
-      // crossing per edge.
+      // Since no corner has the contour value, every slot is an edge crossing. With a single
+      // isovalue, an edge has at most one crossing.
       const ShapeTables::SlotEnds& ends = tables.GetEnds(cell.Shape, slot);
       const auto [owner, far] = std::minmax({ cell.Ids[ends.A], cell.Ids[ends.B] });
       points[slot] = unshared.Enter(owner, CrossingKey(far, item.Lower));
@@ -154,7 +154,7 @@ private:
   const CellReader<Stored>& Reader;
   const CellCutter& Cutter;
   const ExtractionScalars& Scalars;
-  // If true, the contour has one value.
+  // If true, there is a single isovalue.
   bool HasOneValue;
   // If true, corners are ordered by ids that fit in 32 bits.
   bool AreIdsRanks;

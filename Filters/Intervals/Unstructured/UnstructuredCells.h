@@ -22,7 +22,7 @@ namespace interlume
  * @class   UnstructuredCells
  * @brief   reads the corners of the cells of an unstructured grid from its arrays
  *
- * \a Stored is the value type of the cell array.
+ * \a Stored is the integer type of the offsets and connectivity arrays.
  */
 template <typename Stored>
 class UnstructuredCells
@@ -30,14 +30,14 @@ class UnstructuredCells
 public:
   using Mark = PointMarks::Mark;
 
-  /// Reads the cells of \a grid with the cell arrays \a offsets and \a ids.
+  /// \a offsets and \a ids are the offsets and the connectivity of the cells of \a grid.
   UnstructuredCells(vtkUnstructuredGrid* grid, const Stored* offsets, const Stored* ids)
     : TypeArray(GridCells::GetTypes(grid))
     , Types(this->TypeArray->GetPointer(0))
     , Offsets(offsets)
     , Ids(ids)
   {
-    // If all cells have the same type, and the connectivity array has no additional ids, cells are
+    // If all cells have the same type, and the connectivity array has no extra ids, the cells are
     // stored at a constant stride.
     const vtkIdType cells = grid->GetNumberOfCells();
     const CellCorners& first = this->GetCorners(0);
@@ -67,8 +67,8 @@ public:
     return static_cast<Mark>(all);
   }
 
-  /// Calls visit(cell, all) with the union of the marks for the cells in [first, last) of a uniform
-  /// grid.
+  /// Calls visit(cell, all) for the cells in [first, last) of a uniform grid, where all is the
+  /// bitwise union of the marks of the cell's corners.
   template <typename Visitor>
   void ForEachMarks(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
   {
@@ -85,7 +85,7 @@ public:
     }
   }
 
-  /// Gets the corners of a cell in the order of its table.
+  /// Gets the point ids of a cell's corners in the order of the case table.
   void GetIds(vtkIdType cell, const CellCorners& corners, vtkIdType* ids) const
   {
     const Stored* from = this->GetFirst(cell);
@@ -100,8 +100,8 @@ public:
     }
   }
 
-  /// Calls visit(point) for every second corner of a cell. In most grids, the next corner is
-  /// adjacent in memory.
+  /// Calls visit(point) for every second corner of a cell. This suffices for prefetching, because
+  /// in most grids the next corner is adjacent in memory.
   template <typename Visitor>
   void ForEachSecondPoint(vtkIdType cell, Visitor&& visit) const
   {
@@ -174,8 +174,8 @@ bool VisitCellArraysAs(vtkCellArray* cells, Visitor&& visit)
   return visit(offsets->GetPointer(0), ids->GetPointer(0));
 }
 
-/// Calls visit(offsets, ids) with the cell arrays of a grid in their storage type. Returns its
-/// result.
+/// Calls visit(offsets, ids) with the offsets and connectivity arrays of a grid in their storage
+/// type. Returns the result of the call.
 template <typename Visitor>
 bool VisitCellArrays(vtkUnstructuredGrid* grid, Visitor&& visit)
 {

@@ -16,13 +16,13 @@ namespace interlume
 {
 
 /**
- * Result of counting a chunk of cells, used for writing the chunk.
+ * Result of counting the output of a chunk of cells, used to write the chunk.
  */
 struct UnstructuredChunk
 {
   static constexpr vtkIdType Size = 256 * ExtractionIndex::RunLength;
 
-  /// A cell that is passed through uncut.
+  /// A cell that is copied uncut.
   struct InteriorCell
   {
     /// Index of the cell in the chunk.
@@ -31,7 +31,7 @@ struct UnstructuredChunk
   };
 
   ChunkCuts Cuts;
-  /// The points of all cases, if nodes are stored.
+  /// The nodes of the points of all cuts, if nodes are kept.
   std::vector<const CrossingLists::Node*> Nodes;
   std::vector<vtkIdType> TiedTriangles;
   std::vector<vtkIdType> TiedSimplices;
@@ -39,7 +39,7 @@ struct UnstructuredChunk
   PointArrays::Part Unshared;
   std::vector<InteriorCell> InteriorCells;
   ///@{
-  /// Counts of this chunk, later replaced by the sums over all previous chunks.
+  /// Counts of this chunk, later replaced with the sums over all previous chunks.
   vtkIdType Simplices = 0;
   vtkIdType Triangles = 0;
   vtkIdType Interior = 0;

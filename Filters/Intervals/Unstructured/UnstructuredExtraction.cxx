@@ -34,7 +34,7 @@ struct Local
   std::vector<vtkIdType> Points;
 };
 
-// Writes the cuts of a chunk one after the other.
+// Writes the cuts of a chunk to the mesh, one after another.
 class CutWriter
 {
 public:
@@ -201,7 +201,7 @@ public:
     vtkIdType interiorIds = 0;
     for (Chunk& chunk : this->Chunks)
     {
-      // Replace the counts of the chunk by the totals of all previous chunks.
+      // Replace the counts of the chunk with the totals of all previous chunks.
       const auto sum = [](vtkIdType& count, vtkIdType& total)
       {
         std::swap(count, total);
@@ -349,7 +349,7 @@ private:
       });
   }
 
-  // Writes the triangles of a chunk that share no points.
+  // Writes the triangles of a chunk if triangles share no points.
   void WriteUnshared(vtkIdType begin, Chunk& chunk)
   {
     this->Context.Unshared->Write(chunk.Unshared, 3 * chunk.Simplices);
@@ -366,7 +366,7 @@ private:
     }
   }
 
-  // Finds the output id of each slot that a cut uses.
+  // Finds the output point id of each slot that a cut uses.
   void FindIds(const Cell& cell, const Item& item, const CellCut& cut, vtkIdType* ids) const
   {
     for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
@@ -381,7 +381,7 @@ private:
   CellReader<Stored> Reader;
   CellCutter Cutter;
   UnsharedTriangles<Stored> Unshared;
-  // Empty if no cells are passed through uncut.
+  // Empty if interior cells are cut too.
   std::optional<InteriorCells<Stored>> Interior;
   ExtractionMesh& Mesh;
   vtkIdType NumberOfCells;

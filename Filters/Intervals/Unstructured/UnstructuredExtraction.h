@@ -13,10 +13,11 @@ namespace interlume
  * @class   UnstructuredExtraction
  * @brief   extraction from any mixture of tetrahedra, pyramids, wedges, hexahedra and voxels
  *
- * Every cell with output enters its edge crossings in the list of the end point with the lower id,
- * the owner. The lists are sorted and contain no duplicates. A prefix sum over the owners numbers
- * the output points. The numbers depend on the grid only, not on the thread schedule. If the grid's
- * points are numbered row by row, the numbers equal those of StructuredExtraction.
+ * Every cell with output enters each of its edge crossings in the list of the crossing's owner,
+ * which is the end of the edge with the lower id. The lists are sorted and contain no duplicates. A
+ * prefix sum over the owners numbers the output points. The numbers depend on the grid only, not on
+ * the thread schedule. If the grid's points are numbered row by row, the numbers equal those of
+ * StructuredExtraction.
  *
  * Shared faces are cut in the order of the global point ids if the point data has them, so that the
  * pieces of a distributed grid match. Otherwise they are cut in the order of the point ids.

@@ -31,14 +31,14 @@ public:
   struct Facet
   {
     PointSet HullPoints;
-    /// Patch points of the facet, in increasing order of edges.
+    /// Patch points of the facet, sorted by edge index.
     PointList Points;
-    /// Normal from the positive to the negative side.
+    /// Normal that points from the positive to the negative side.
     Normal Outward;
   };
 
   /// Returns which vertices are positive in the case with the vtkIsotable key \a key. For an
-  /// interval, the vertices are those of the lifted cell.
+  /// interval, these are the vertices of the lifted cell, the prism over the cell.
   static std::vector<bool> GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key);
 
   /// Computes the patch. \a positive has one entry per vertex of \a cell.
@@ -49,8 +49,8 @@ public:
   const ConvexHull& GetHull() const { return this->Hull; }
 
   /**
-   * For a four-dimensional cell, returns the faces of a facet, which is a solid. Each face is a
-   * polygon in cyclic order, counterclockwise as seen from outside the solid.
+   * For a four-dimensional cell, returns the faces of a facet, which is a polyhedron. Each face is
+   * a polygon in cyclic order, counterclockwise as seen from outside the polyhedron.
    */
   std::vector<PointList> GetFaces(const Facet& facet) const;
 
@@ -63,15 +63,16 @@ public:
   /// Returns the facets of a face of the hull, as sets of hull points.
   std::vector<PointSet> GetFacesOf(const PointSet& face) const;
 
-  /// Returns the edge of each hull point, or -1 for a positive vertex.
+  /// Returns the cell edge that each hull point bisects, or -1 for a positive vertex.
   const std::vector<int>& GetEdgesOfHullPoints() const { return this->EdgeOfPoint; }
 
-  /// Returns the edges of a set of hull points.
+  /// Returns the entries of GetEdgesOfHullPoints() for a set of hull points.
   PointList GetEdges(const PointSet& face) const;
 
   /**
-   * Returns whether a simplex of dimension d - 1 has the orientation of the facet: det(p1 - p0,
-   * ..., outward) is positive. The determinant is never zero for a simplex of the facet.
+   * Returns whether a simplex has the orientation of the facet: det(p1 - p0, ..., outward) is
+   * positive. The simplex has as many points as the cell has dimensions. The determinant is never
+   * zero for a simplex of the facet.
    */
   bool IsPositive(const Facet& facet, const PointList& simplex) const;
 

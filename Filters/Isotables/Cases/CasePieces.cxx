@@ -9,7 +9,7 @@
 namespace interlume
 {
 
-// Collects the faces of a patch from its hull.
+// Collects the pieces of a patch, with their solids and polygons, from the facets of its hull.
 class CasePieces::Builder
 {
 public:
@@ -63,7 +63,7 @@ private:
     return static_cast<std::uint32_t>(this->Result.Points.size());
   }
 
-  // Each polygon of a solid is the intersection of that solid with another one.
+  // Each polygon of a solid is its intersection with another solid of the piece.
   void AddSolid(const CasePatch::Facet& piece, const ConvexHull::Facet& neighbor)
   {
     const PointSet solid = piece.HullPoints & neighbor.Points;
@@ -86,10 +86,11 @@ private:
       { pointsEnd, static_cast<std::uint32_t>(this->Result.Polygons.size()) });
   }
 
-  // The solid is orthogonal to both normals. The determinant of three vectors of the solid and both
-  // normals is a sum of products of complementary minors. The minors are proportional, so one
-  // product has the sign of the sum. In a simplex whose last point is a point of the piece outside
-  // the solid, that point is on the side opposite to the neighbor's normal.
+  // Returns a projection of the solid shared by the two hull facets with these normals. Both
+  // normals are orthogonal to the solid. The determinant of three vectors in the solid and the two
+  // normals is a sum of products of complementary minors. The minors are proportional, so each
+  // product has the sign of the sum. If the last point of a simplex is a point of the piece outside
+  // the solid, it lies on the side opposite to the neighbor's normal.
   static Projection Project(const Normal& outward, const Normal& neighbor)
   {
     for (int k = 0;; ++k)
@@ -183,7 +184,7 @@ private:
   /// Slot of each hull point.
   std::vector<Slot> SlotOf;
   std::vector<Point> Positions;
-  /// Hull facets that intersect the piece in its solids.
+  /// Hull facets adjacent to the piece. Each shares one solid with it.
   std::vector<const ConvexHull::Facet*> Neighbors;
   std::vector<PointSet> Polygons;
   std::vector<PointSet> Sides;

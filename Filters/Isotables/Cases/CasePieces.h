@@ -17,11 +17,11 @@ class CasePatch;
  * @class   CasePieces
  * @brief   convex pieces of a case of a four-dimensional cell, for triangulation in any point order
  *
- * A piece is a facet of the patch in five dimensions, stored with its faces: its solids, and their
- * polygons in cyclic order. Pull() computes the pulling triangulation. It joins the first point of
- * the piece to each solid that does not contain it. Each solid is split in the same way by joining
- * its first point to its polygons, and each polygon is split into a fan of triangles from its first
- * point.
+ * A piece is a four-dimensional facet of the patch. It is stored with its three-dimensional faces,
+ * the solids, and their polygons in cyclic order. Pull() computes the pulling triangulation: the
+ * first point of the piece is joined to each solid that does not contain this point. In the same
+ * way, each solid is split by joining its first point to its polygons, and each polygon is split
+ * into a fan of triangles from its first point.
  *
  * Slots are defined by SlotOrder.
  */
@@ -33,7 +33,8 @@ public:
   using Simplex = std::array<Slot, 5>;
 
   /// Properties of a point in a triangulation: its rank in the order (smallest first), the name
-  /// that identifies it in the simplices, and bits for the sides it is on.
+  /// that identifies it in the simplices, and one bit for each boundary (isosurface or time step)
+  /// on which it lies.
   struct Label
   {
     std::uint16_t Rank;
@@ -41,17 +42,18 @@ public:
     std::uint8_t Sides;
   };
 
-  /// Collects the pieces of the patch of a lifted cell. The numbers of vertices and edges are those
-  /// of the cell before lifting. Vertex coordinates must be in -32 ... 32.
+  /// Collects the pieces of \a patch, whose cell is the prism over a four-dimensional cell. The
+  /// four-dimensional cell has \a numberOfVertices vertices and \a numberOfEdges edges. Vertex
+  /// coordinates must be in -32 ... 32.
   CasePieces(const CasePatch& patch, int numberOfVertices, int numberOfEdges);
 
   /// Returns the slots in use, in increasing order.
   const std::vector<Slot>& GetSlots() const { return this->Slots; }
 
   /**
-   * Calls visit(const Simplex&) for each simplex of the triangulation. \a labels has one entry per
-   * slot in use. Ranks of different names must be distinct. Slots with the same name are one point.
-   * They are merged before the triangulation, so that a piece without hypervolume produces fewer
+   * Calls visit(const Simplex&) for each simplex of the triangulation. \a labels is indexed by
+   * slot. Labels with different names must have different ranks. Slots with the same name are
+   * merged into one point before the triangulation, so that a degenerate piece produces fewer
    * simplices. A visited simplex may still contain a name twice. Simplices have the orientation of
    * the patch (see CasePatch::IsPositive), or the opposite orientation if \a reverse is true.
    */
@@ -104,11 +106,11 @@ public:
   }
 
   /**
-   * Triangulates the solids whose points share a side, as Pull() does. Calls solid(sides, points)
-   * for each of their tetrahedra, oriented outward, like the face opposite the last point of a
-   * simplex that Pull() visits. Calls polygon(sides, sidesOfPolygon, points) for each triangle of
-   * the solid's surface, oriented outward. \a sides are the sides that all points of the solid
-   * share.
+   * Triangulates each solid whose points all have a bit of Label::Sides in common, in the same way
+   * as Pull(). Calls solid(sides, points) for each tetrahedron, with the orientation that it has as
+   * a face of a simplex of Pull(), and polygon(sides, sidesOfPolygon, points) for each triangle of
+   * the solid's surface, oriented outward. \a sides contains the bits that all points of the solid
+   * have in common, and \a sidesOfPolygon those of the polygon that contains the triangle.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
   void PullSides(
@@ -162,9 +164,9 @@ public:
   std::size_t GetBytes() const;
 
 private:
-  // Ends of the lists of points, solids and polygons. Each list starts at the end of the previous
-  // one. The points of a piece precede those of its solids, and the points of a solid precede those
-  // of its polygons.
+  // End indices in the arrays of points, solids and polygons. Each range starts at the end of the
+  // previous one. The points of a piece precede those of its solids, and the points of a solid
+  // precede those of its polygons.
   struct Piece
   {
     std::uint32_t PointsEnd;

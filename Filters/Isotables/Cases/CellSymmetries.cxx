@@ -43,7 +43,8 @@ public:
   std::vector<Permutation> Found;
 
 private:
-  // Extends the images by one vertex. \a free contains the vertices that are not images yet.
+  // Tries all images of the next vertex, recursively. \a free contains the vertices that are not
+  // yet used as images.
   void Extend(const PointSet& free)
   {
     const int vertex = static_cast<int>(this->Images.size());
@@ -75,7 +76,7 @@ private:
   Permutation Images;
 };
 
-// Affine basis of a cell's vertices, with the other vertices as affine combinations.
+// Affine basis selected from the vertices of a cell, and the coefficients of each vertex in it.
 class Frame
 {
 public:
@@ -130,8 +131,8 @@ public:
   }
 
 private:
-  // Returns the determinant of the images of the basis, with the basis vertex \a replaced, if any,
-  // replaced by \a v.
+  // Returns the signed volume that the images of the basis vertices span. Vertex \a v takes the
+  // place of basis vertex \a replaced, unless that is -1.
   std::int64_t GetVolume(const Permutation& images, int replaced, int v) const
   {
     Normal rows[MaximumDimension];
@@ -152,7 +153,7 @@ private:
   std::vector<std::vector<std::int64_t>> Weights;
 };
 
-// Lookup table of the edge between two vertices.
+// Lookup table for the edge between two vertices.
 class EdgeTable
 {
 public:
@@ -175,7 +176,7 @@ private:
   std::vector<int> Edges;
 };
 
-// Returns the images of vertex, lower and upper slots.
+// Returns the image of each slot if the vertices are mapped to \a images.
 std::vector<Slot> MoveSlots(const Polytope& cell, const EdgeTable& edges, const Permutation& images)
 {
   const std::size_t m = cell.Edges.size();
@@ -209,7 +210,8 @@ void CellSymmetries::FillMovedKeys(int numberOfVertices)
 {
   const std::size_t number = this->Symmetries.size();
   this->NumberOfGroups = (numberOfVertices + GroupSize - 1) / GroupSize;
-  // Weight of each vertex's digit in a key mapped by the inverse of each symmetry.
+  // For each vertex and symmetry: the place value of the vertex's digit after the inverse symmetry
+  // has been applied to a key.
   std::vector<std::uint32_t> weights(this->NumberOfGroups * GroupSize * number, 0);
   std::uint32_t power = 1;
   for (int v = 0; v < numberOfVertices; ++v, power *= 3)
@@ -225,7 +227,7 @@ void CellSymmetries::FillMovedKeys(int numberOfVertices)
     std::uint32_t* contributions = this->MovedKeys.data() + group * GroupCases * number;
     for (int value = 1; value < GroupCases; ++value)
     {
-      // The value exceeds a smaller value by one in its lowest nonzero digit.
+      // Find the lowest nonzero digit. Decrementing it gives a value that is already processed.
       int digit = group * GroupSize;
       int one = 1;
       for (; value / one % 3 == 0; one *= 3)
@@ -252,7 +254,7 @@ CellSymmetries::Origin CellSymmetries::FindOrigin(std::uint32_t key) const
       moved[s] += contributions[s];
     }
   }
-  // Two separate loops, which compilers vectorize.
+  // Use two separate loops so that the compiler can vectorize them.
   std::uint32_t smallest = moved[0];
   for (const std::uint32_t other : moved)
   {

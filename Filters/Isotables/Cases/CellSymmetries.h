@@ -14,10 +14,10 @@ namespace interlume
  * @class   CellSymmetries
  * @brief   the affine symmetries of a cell and their action on the cases of its interval table
  *
- * The symmetries are the automorphisms of the vertex-edge graph that are affine in the coordinates:
- * 384 for the four-dimensional cube, 48 for the prisms over the tetrahedron and the wedge, 16 for
- * the prism over the pyramid. Cases that a symmetry maps to each other form a class. The smallest
- * key represents the class.
+ * The symmetries are the automorphisms of the vertex-edge graph that are affine maps: 384 for the
+ * four-dimensional cube, 48 for the prisms over the tetrahedron and the wedge, 16 for the prism
+ * over the pyramid. Cases that a symmetry maps to each other form a class. The smallest key
+ * represents the class.
  *
  * A cell has at most 16 vertices. Slots are defined by SlotOrder.
  */
@@ -34,7 +34,8 @@ public:
     bool Reverses;
   };
 
-  /// Smallest key of a class, and the symmetry that maps its case to the case of a given key.
+  /// Smallest key of a class, and the index of a symmetry that maps its case to another case of the
+  /// class.
   struct Origin
   {
     std::uint32_t Key;
@@ -46,12 +47,12 @@ public:
   /// Returns the symmetries, the identity first.
   const std::vector<Symmetry>& Get() const { return this->Symmetries; }
 
-  /// Returns the smallest key in the class of \a key and the first symmetry that maps its case to
-  /// the case of \a key.
+  /// Returns the smallest key in the class of \a key, and the first symmetry that maps the case of
+  /// the smallest key to the case of \a key.
   Origin FindOrigin(std::uint32_t key) const;
 
 private:
-  // Number of digits per group. Keys are processed group by group.
+  // Keys are processed in groups of this number of base-3 digits.
   static constexpr int GroupSize = 4;
   static constexpr int GroupCases = 81;
 
@@ -59,8 +60,8 @@ private:
 
   std::vector<Symmetry> Symmetries;
   int NumberOfGroups = 0;
-  /// Mapped keys: for each group, each of its values and each symmetry, the contribution of the
-  /// group to the key mapped by the inverse symmetry.
+  /// Each entry belongs to a group of digits, a value of that group and a symmetry. It is the
+  /// group's contribution to the key after the inverse symmetry has been applied.
   std::vector<std::uint32_t> MovedKeys;
 };
 

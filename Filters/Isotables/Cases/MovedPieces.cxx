@@ -10,8 +10,8 @@ namespace interlume
 namespace
 {
 using Slot = MovedPieces::Slot;
-// A bit per edge of the lifted cell: lower edges, upper edges, then vertical edges, which represent
-// the vertices.
+// One bit per edge of the lifted cell (the prism over the cell): lower edges, upper edges, then
+// vertical edges, which represent the vertices.
 using EdgeSet = std::uint64_t;
 
 struct Polygon
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // Returns the lifted edge of a slot.
+  // Returns the edge of the lifted cell that a slot represents.
   int GetEdge(Slot slot) const
   {
     return slot < this->Vertices ? 2 * this->Edges + slot : slot - this->Vertices;
@@ -81,7 +81,7 @@ private:
     result.insert(result.end(), points.begin(), points.end());
   }
 
-  // Reads a list of points, preceded by its length, and maps the points.
+  // Reads a list of points, preceded by its length, and returns their images under the symmetry.
   std::vector<Slot> MovePoints(const Slot*& at, EdgeSet& edges) const
   {
     const int number = *at++;
@@ -116,9 +116,10 @@ private:
     return piece;
   }
 
-  // Rotates a polygon so that it starts as in CasePatch: with its largest side. Sides are compared
-  // by the larger lifted edge of their ends, then by the smaller one. If the largest side is
-  // traversed backward, the polygon ends with it.
+  // Rotates a polygon so that it starts with its largest side, as in CasePatch. Each end of a side
+  // has the index of a lifted edge; sides are compared by the larger index, then by the smaller
+  // one. If the first end of the largest side has the larger index, the polygon ends with this side
+  // instead.
   void Rotate(std::vector<Slot>& points) const
   {
     const int number = static_cast<int>(points.size());

@@ -15,9 +15,9 @@ namespace interlume
  * @class   MovedPieces
  * @brief   transforms the pieces of an interval case by a symmetry of the cell
  *
- * The result is identical to the pieces computed from the hull of the transformed case. Hulls list
- * points, faces and pieces in the order of their sets of lifted edges, so the transformed pieces
- * are sorted accordingly.
+ * The result is identical to the pieces computed from the hull of the transformed case. A hull
+ * lists points, faces and pieces in the order of the lifted cell's edges that identify them, so the
+ * transformed pieces are sorted in this order.
  */
 class MovedPieces
 {

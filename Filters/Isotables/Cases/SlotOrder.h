@@ -12,11 +12,12 @@ namespace interlume
  * @class   SlotOrder
  * @brief   the point order in which all isotables are triangulated
  *
- * With n vertices and m edges, the points of an interval are slots: vertices 0 ... n-1, lower edge
- * points n ... n+m-1, upper edge points n+m ... n+2m-1. Vertices rank first, then lower, then upper
- * edge points. Edge points are ordered by the ranks of the edge's ends, smaller rank first. Two
- * cells that agree on the order of shared vertices agree on the order of the points on their common
- * face.
+ * The points of a case are numbered as slots. In a cell with n vertices and m edges, slots 0 ...
+ * n-1 are the vertices, slots n ... n+m-1 are the points on edges at the lower isovalue, and slots
+ * n+m ... n+2m-1 are those at the upper isovalue. In the triangulation, vertices also come first,
+ * then lower edge points, then upper edge points. Edge points are compared by the smaller vertex
+ * rank of their edge's ends, then by the larger one. Two cells that agree on the order of shared
+ * vertices agree on the order of the points on their common face.
  */
 class SlotOrder
 {
@@ -29,8 +30,8 @@ public:
   }
 
   /**
-   * Fills \a ranks for all slots, including the upper slots if \a isInterval is true. Vertices have
-   * ranks 0 ... n-1. The ranks of slots are distinct and less than n + 2 n n.
+   * Fills \a ranks for all slots, including the upper edge points if \a isInterval is true. The n
+   * vertices have ranks 0 ... n-1. The ranks of all slots are distinct and less than n + 2 n^2.
    */
   template <typename EdgeList, typename VertexRank, typename SlotRank>
   static void RankSlots(int numberOfVertices, const EdgeList& edges, bool isInterval,

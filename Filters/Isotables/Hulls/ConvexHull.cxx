@@ -21,13 +21,13 @@ struct Face
 {
   Normal Outward;
   std::int64_t Offset;
-  // Height of the added point: positive above the facet.
+  // Signed height of the point being added, positive above the facet.
   std::int64_t Height;
   PointSet Points;
 };
 
-// Finds affinely independent points, greedily in order. Fewer than dimension + 1 points mean
-// degenerate input.
+// Finds affinely independent points, greedily in order. If there are fewer than dimension + 1, all
+// points lie in one hyperplane.
 std::vector<int> FindSpanningPoints(int dimension, const std::vector<Point>& points)
 {
   std::vector<int> chosen;

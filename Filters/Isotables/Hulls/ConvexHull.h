@@ -49,8 +49,8 @@ public:
   PointSet SmallestFace(std::initializer_list<int> points) const;
 
   /**
-   * Returns the facets of a face, given by its points: its maximal proper intersections with facets
-   * of the hull, in increasing order of point sets.
+   * Returns the facets of a face, given by its points: the maximal proper intersections of the face
+   * with facets of the hull, sorted by PointSet::operator<.
    */
   std::vector<PointSet> FacetsOf(const PointSet& face) const;
 

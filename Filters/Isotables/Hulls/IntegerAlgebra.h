@@ -11,7 +11,7 @@ namespace interlume
 {
 
 /**
- * Exact integer algebra for hulls, pieces and symmetries.
+ * Exact integer linear algebra for convex hulls, isosurface patches and symmetries.
  */
 namespace IntegerAlgebra
 {
@@ -88,9 +88,10 @@ inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimens
   return normal;
 }
 
-/// Affine span of points that are inserted one by one. The span projects one-to-one onto the pivot
-/// columns, where the minor of its rows is nonzero. A further point is outside the span if a minor
-/// with one more column is nonzero. Minors of coordinates up to MaximumCoordinate fit in 64 bits.
+/// Affine span of points that are inserted one by one. The rows are the differences of independent
+/// points from the first point. Their minor in the pivot columns is nonzero. Another point is
+/// outside the span if its row and some additional column extend this minor to a nonzero one.
+/// Minors of coordinates up to MaximumCoordinate fit in 64 bits.
 class Span
 {
 public:

@@ -112,8 +112,8 @@ Polytope Polytope::FromVertices(int dimension, const std::vector<Point>& vertice
   const int n = static_cast<int>(vertices.size());
   for (int i = 0; i < n; ++i)
   {
-    // A point is a vertex, and a pair of points an edge, if the facets that contain it have no
-    // other point in common.
+    // A point is a vertex if the facets that contain it have no other point in common. Similarly, a
+    // pair of points is an edge if the facets that contain both have no other point in common.
     if (hull.SmallestFace({ i }).Count() != 1)
     {
       return {};

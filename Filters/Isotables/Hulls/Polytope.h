@@ -17,8 +17,8 @@ namespace interlume
  * are integer too and all predicates are exact. The order of Edges is the order of the points in
  * the tables of C. Zhang, dissertation, Ohio State 2006, section 3.3.
  *
- * Cells have the vertex order of their VTK cell. Cube has vertex i at coordinate 2 * ((i >> k) & 1)
- * along axis k (the order of VTK_VOXEL).
+ * The vertex order is that of the corresponding VTK cell. Coordinate k of vertex i of Cube() is 2 *
+ * ((i >> k) & 1). This is the order of VTK_VOXEL.
  *
  * Coordinates must be in -128 ... 128. A cell has at most 32 vertices and 96 edges.
  */
@@ -39,8 +39,9 @@ public:
   ///@{
   /**
    * Create a cell. In three dimensions, these are VTK_TETRA, VTK_VOXEL, VTK_WEDGE and VTK_PYRAMID.
-   * The edges of the cube are in the order lower, vertical, upper along the last axis, recursively.
-   * The edges of the simplex are in lexicographic order.
+   * The edges of the cube are ordered recursively: the edges of its lower face along the last axis,
+   * the edges parallel to this axis, then the edges of its upper face. The edges of the simplex are
+   * in lexicographic order.
    */
   static Polytope Simplex(int dimension);
   static Polytope Cube(int dimension);
@@ -59,15 +60,15 @@ public:
   static Polytope FromVertices(int dimension, const std::vector<Point>& vertices);
 
   /**
-   * Returns the prism over this polytope, in one more dimension. Vertex i is at 0 and vertex i + n
-   * at 2 along the new axis. The edges are the edges at 0, the edges at 2, then the vertical edges.
+   * Returns the prism over this polytope, in one more dimension. If the polytope has n vertices,
+   * vertex i of the prism is at 0 and vertex i + n is at 2 along the new axis. The edges of the
+   * prism are in the order: edges at 0, edges at 2, edges parallel to the new axis.
    */
   Polytope Prism() const;
 
-  /// Returns the edges with the smaller vertex first.
+  /// Returns the edges, each with its smaller vertex index first.
   std::vector<std::array<std::uint8_t, 2>> GetSortedEdges() const;
 
-  /// Returns the midpoint of an edge.
   Point Midpoint(int edge) const;
 };
 

@@ -72,7 +72,7 @@ std::unique_ptr<const SpaceTimeTable::Case> SpaceTimeTable::MakeCase(std::uint32
   }
   made->Slots.reserve(made->Pieces->GetSlots().size());
   slots.ForEach([&made](int slot) { made->Slots.push_back(static_cast<Slot>(slot)); });
-  // Most cases have fewer simplices.
+  // Reserve enough for most cases.
   made->Simplices.reserve(64);
   this->Cut(*made, this->Ascending,
     [&made](const Simplex& simplex) { made->Simplices.push_back(simplex); });

@@ -33,8 +33,8 @@ namespace interlume
  * Keys and slots are as in vtkIsotable: keys in base 3, slots for vertices, lower and upper edge
  * points. Convex pieces are triangulated by pulling in the order of vtkIsotable. Case::Simplices is
  * the triangulation for ascending vertex ranks, as on structured grids. Cut() computes the
- * triangulation for other ranks. Simplices have the orientation of CasePatch. Their order depends
- * only on the key.
+ * triangulation for other ranks. Simplices are oriented as in CasePatch::IsPositive. Their order
+ * depends only on the key.
  *
  * @sa vtkIsotable CasePieces CellSymmetries
  */
@@ -55,17 +55,17 @@ public:
     std::vector<Simplex> Simplices;
     /// Slots in use, in increasing order.
     std::vector<Slot> Slots;
-    /// Pieces for other triangulations, to be transformed by the symmetry with index \a Symmetry.
+    /// Pieces of the symmetry class. The symmetry with index \a Symmetry maps them to this case.
     const Kind* Pieces;
     int Symmetry;
   };
 
   /**
    * Returns the table of the product of a three-dimensional cell and a time interval, shared by all
-   * users in the process. Let n be the number of vertices, in the order of vtkIsotable (VTK_TETRA,
-   * VTK_PYRAMID, VTK_WEDGE, VTK_VOXEL). Vertex v < n is v at the first time, and v + n is v at the
-   * second time. The edges are the edges of the cell at the first time, its edges at the second
-   * time, then the n edges along time.
+   * users in the process. The cell has n vertices in the order of its VTK cell (VTK_TETRA,
+   * VTK_PYRAMID, VTK_WEDGE or VTK_VOXEL). Vertices v and v + n of the product are vertex v of the
+   * cell at the first and at the second time, respectively. The edges of the product are the edges
+   * of the cell at the first time, those at the second time, then the n edges along time.
    */
   static SpaceTimeTable& Get(vtkIsotable::Shapes shape);
 
@@ -83,15 +83,16 @@ public:
   const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
 
   /**
-   * Returns the case of \a key, 0 <= key < 3^vertices. Use a Reader in loops over many cells.
+   * Returns the case of \a key, 0 <= key < 3^n for n vertices. Use a Reader in loops over many
+   * cells.
    */
   const Case& GetCase(std::uint32_t key);
 
-  /// Returns the ranks of the slots. \a vertexRanks is a permutation of 0 ... n-1.
+  /// Returns the ranks of the slots. \a vertexRanks is a permutation of the vertex indices.
   RankArray GetSlotRanks(const Slot* vertexRanks) const;
 
   /**
-   * Triangulates a case in the given order, calling simplex(const Simplex&).
+   * Triangulates a case in the order of \a ranks. Calls simplex(const Simplex&) for each simplex.
    */
   template <typename Visitor>
   void Cut(const Case& source, const RankArray& ranks, Visitor&& simplex) const
@@ -100,7 +101,7 @@ public:
       *source.Pieces, source.Symmetry, ranks, [](Slot slot) { return slot; }, simplex);
   }
 
-  /// Triangulates a case in which some slots coincide, see vtkIsotable::CutMerged.
+  /// Triangulates a case in which some slots coincide. See vtkIsotable::CutMerged.
   template <typename Visitor>
   void CutMerged(
     const Case& source, const RankArray& ranks, const Slot* same, Visitor&& simplex) const
@@ -110,7 +111,7 @@ public:
   }
 
   /**
-   * Triangulates the solids of a case whose slots all have a common bit in \a sides, see
+   * Triangulates those solids of a case whose slots all have a bit of \a sides in common. See
    * CasePieces::PullSides.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
@@ -137,9 +138,9 @@ public:
   ///@}
 
   /**
-   * Gives one thread access to a table, which must outlive the reader. A reader caches its last
-   * cases, so that repeated lookups take no lock and touch no memory that other threads write. It
-   * adds its counts to the table when it is destroyed.
+   * Gives one thread access to a table, which must outlive the reader. A reader caches recent
+   * cases, so that repeated lookups take no lock and touch no memory that other threads write. On
+   * destruction, it adds its lookup counts to those of the table.
    */
   class Reader
   {

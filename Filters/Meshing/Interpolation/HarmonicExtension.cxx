@@ -21,12 +21,12 @@ constexpr int MaximumNumberOfIterations = 5000;
 
 using Eigen::Index;
 
-/// Returns the integrals of grad(i) . grad(j) over a tetrahedron for its four linear basis
-/// functions.
+/// Returns the integral of grad(f_i) . grad(f_j) over a tetrahedron for each pair of its four
+/// linear basis functions.
 std::array<std::array<double, 4>, 4> ElementStiffness(const std::array<const double*, 4>& x)
 {
   using namespace Vectors;
-  // Twice the outward area vector of the triangle opposite each point.
+  // Outward normal of the triangle opposite each point. Its length is twice the triangle's area.
   std::array<glm::dvec3, 4> areas;
   for (int i = 0; i < 4; ++i)
   {
@@ -57,8 +57,8 @@ using Position = Eigen::Map<const Eigen::Vector3d>;
 class LinearFit
 {
 public:
-  /// Fits the finite values of the mesh points that have a source. If these points lie in a plane,
-  /// the gradient across it is zero.
+  /// Fits the finite values of the mesh points that have a source point. If these points lie in a
+  /// plane, the fit with the smallest gradient is used.
   LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double>& values);
 
   double operator()(const double* point) const;
@@ -193,7 +193,7 @@ void HarmonicExtension::Extend(std::vector<double>& values) const
       largest = std::max(largest, std::abs(own));
     }
   }
-  // Scale by the largest value so that products do not overflow.
+  // Scale by the largest deviation so that products do not overflow.
   if (largest > 0.0)
   {
     rest /= largest;
@@ -201,7 +201,7 @@ void HarmonicExtension::Extend(std::vector<double>& values) const
   Eigen::VectorXd x = Eigen::VectorXd::Zero(this->Stiffness.rows());
   try
   {
-    // Degenerate tetrahedra make coefficients infinite.
+    // Degenerate tetrahedra make coefficients infinite. Then use the linear fit alone.
     if (this->Stiffness.coeffs().allFinite())
     {
       x = this->Solver.solve(-(this->Coupling * rest));

@@ -26,18 +26,18 @@ struct Tetrahedra;
  * Experimental Mathematics 2(1), 1993. Unlike distance weighting, it respects cavities and concave
  * boundaries.
  *
- * The solver works on deviations from the least-squares linear fit, which is then added again.
+ * The solver works on deviations from the least-squares linear fit, which is added back afterward.
  * Therefore linear functions are reproduced up to rounding error, independent of the solver's
- * residual. Results are clamped to the range of the given values. Given values that are not finite
- * are replaced by the linear fit.
+ * residual. Results are clamped to the range of the given values. For the solver, the linear fit
+ * replaces given values that are not finite.
  *
  * The solver is Eigen's conjugate gradient method with a diagonal preconditioner, on one thread.
  */
 class HarmonicExtension
 {
 public:
-  /// Sets the mesh, which must outlive this object. The values at points without a source are
-  /// unknown.
+  /// Sets the mesh, which must outlive this object. The values at points without source points (see
+  /// MeshedPoint) are unknown.
   explicit HarmonicExtension(const interlume::Tetrahedra& mesh);
 
   /// Callback that returns true to cancel. It is called in each iteration.

@@ -18,7 +18,7 @@ namespace interlume
 
 namespace
 {
-/// Returns the data type of interpolated values.
+/// Returns the data type for values that are interpolated from \a array.
 int InterpolatedType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -42,7 +42,8 @@ bool IsExcluded(vtkDataSetAttributes* data, vtkAbstractArray* array)
     (array->GetName() && array->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()));
 }
 
-/// Adds an array. If its source is an active attribute, such as the scalars, so is the array.
+/// Adds array \a result, which was computed from the array with the given index. If that array is
+/// an active attribute, such as the scalars, \a result becomes the same attribute.
 void AddArray(
   vtkDataSetAttributes* from, int index, vtkDataSetAttributes* to, vtkAbstractArray* result)
 {
@@ -84,7 +85,7 @@ bool MeshedArrays::InterpolatePointData(vtkDataSet* input, const Tetrahedra& mes
         values[p] = 0.0;
         for (int i = 0; i < origin.NumberOfSources; ++i)
         {
-          // A non-finite value counts only if its weight is not zero.
+          // Ignore values of zero weight, since 0 times NaN or infinity is NaN.
           values[p] += origin.Weights[i] == 0.0
             ? 0.0
             : origin.Weights[i] * array->GetComponent(origin.Sources[i], c);

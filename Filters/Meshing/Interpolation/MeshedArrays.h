@@ -14,7 +14,7 @@ struct Tetrahedra;
 
 /**
  * @class   MeshedArrays
- * @brief   computes the output arrays from the input arrays
+ * @brief   computes the arrays of a tetrahedral mesh from the arrays of the input
  */
 class MeshedArrays
 {

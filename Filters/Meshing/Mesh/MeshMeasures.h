@@ -16,7 +16,8 @@ namespace interlume
 {
 
 /**
- * Sizes and quality of tetrahedra, compared with two bounds. A bound of 0 is not applied.
+ * Sizes and quality of tetrahedra, compared with a quality bound and a volume bound. A bound of 0
+ * is not applied.
  */
 struct MeshMeasures
 {
@@ -25,8 +26,8 @@ struct MeshMeasures
 
   vtkIdType AboveQualityBound = 0;
   vtkIdType AboveMaximumVolume = 0;
-  /// Amount by which tetrahedra exceed the bounds. For each bound that it exceeds, a tetrahedron
-  /// adds its volume times the logarithm of the ratio between its measured value and the bound.
+  /// Total amount by which the tetrahedra exceed the bounds. For each bound that it exceeds, a
+  /// tetrahedron adds its volume times the logarithm of the factor by which it exceeds the bound.
   double Excess = 0.0;
   double LargestRadiusEdgeRatio = 0.0;
   double SmallestVolume = std::numeric_limits<double>::infinity();

@@ -11,8 +11,8 @@ namespace interlume
 {
 
 /**
- * Source points of a mesh point, and the weights for interpolating from their values. An input
- * point has a single source, itself, with weight 1.
+ * Source points of a mesh point, and the weights for interpolating from their values. If the mesh
+ * point is an input point, it is its own only source, with weight 1.
  */
 struct MeshedPoint
 {

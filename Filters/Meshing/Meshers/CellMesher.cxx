@@ -39,7 +39,7 @@ FaceTriangulation MakeTriangulation(vtkDataSet* input)
     });
 }
 
-/// Copies the input points, which come first in the mesh.
+/// Copies the input points to the mesh. Points that are added later follow them.
 void CopyPoints(vtkDataSet* input, interlume::Tetrahedra& mesh)
 {
   const vtkIdType number = input->GetNumberOfPoints();

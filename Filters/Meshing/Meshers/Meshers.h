@@ -15,16 +15,16 @@ struct MeshingJob;
 namespace Meshers
 {
 /// Decomposes the three-dimensional cells of a dataset into a conforming mesh. FaceTriangulation
-/// splits each face in the order of the global point ids if they exist, otherwise of the point ids.
-/// Therefore both cells that share a face have the same triangles there.
+/// splits each face based on the order of the global point ids or, if there are none, the point
+/// ids. Therefore two cells that share a face have the same triangles there.
 Error MeshCells(MeshingJob& job);
 
-/// Generates the Delaunay tetrahedra of a point set, and refines them if a bound is set. The values
-/// at a point added by refinement are interpolated linearly in the Delaunay tetrahedron of input
-/// points that contains it.
+/// Generates the Delaunay tetrahedra of a point set, and refines them if a bound is set. Values at
+/// a point that refinement adds are interpolated linearly in the unrefined Delaunay tetrahedron
+/// that contains the point.
 Error MeshPoints(MeshingJob& job);
 
-/// Fills closed surfaces with tetrahedra.
+/// Fills the closed surfaces formed by the polygons of a dataset with tetrahedra.
 Error MeshSurface(MeshingJob& job);
 }
 

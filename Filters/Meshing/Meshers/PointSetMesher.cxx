@@ -19,7 +19,7 @@ namespace
 bool IsFlat(const std::vector<double>& x)
 {
   using namespace Vectors;
-  // Find the first triangle with an area, then look for a point outside its plane.
+  // Find three points that are not collinear, then look for a point outside their plane.
   const double* a = x.data();
   std::size_t p = 6;
   glm::dvec3 normal{ 0.0, 0.0, 0.0 };
@@ -37,7 +37,8 @@ bool IsFlat(const std::vector<double>& x)
   return true;
 }
 
-/// Returns a TetGen problem with the points and the facets of their convex hull.
+/// Returns a TetGen problem with the points and the facets of their convex hull. \a coarse contains
+/// the Delaunay tetrahedra of the points.
 TetGenProblem MakeHull(
   const MeshingJob& job, const DistinctPoints& points, const TetGenSolution& coarse)
 {

@@ -17,8 +17,8 @@ namespace interlume
 
 namespace
 {
-/// Returns the barycentric coordinates of \a x, projected onto the plane of a triangle. A weight is
-/// negative if \a x is outside the triangle.
+/// Projects \a x onto the plane of a triangle. Returns the triangle's points and the barycentric
+/// coordinates of \a x. At least one coordinate is negative if \a x is outside the triangle.
 MeshedPoint InterpolateInTriangle(const ClosedSurface& surface, int triangle, const double* x)
 {
   using namespace Vectors;
@@ -41,7 +41,8 @@ MeshedPoint InterpolateInTriangle(const ClosedSurface& surface, int triangle, co
   return point;
 }
 
-/// Interpolates \a x in the triangle of a patch that contains it.
+/// Returns the points and barycentric coordinates for interpolating at \a x. \a triangles are those
+/// of a patch; the one that contains \a x is used.
 MeshedPoint InterpolateInPatch(
   const ClosedSurface& surface, const std::vector<int>& triangles, const double* x)
 {
@@ -139,7 +140,7 @@ void SetMesh(const ClosedSurface& surface, const TetGenSolution& solution, Meshi
     layers[triangle.Patch] = triangle.Layers;
     firstCells[triangle.Patch] = std::min(firstCells[triangle.Patch], triangle.Cell);
   }
-  // A point on the edge of several patches has the same values in each, so any patch can be used.
+  // Where patches meet, each of them gives the same values, so any of them can be used.
   std::vector<int> patches(solution.GetNumberOfPoints(), std::numeric_limits<int>::max());
   for (std::size_t i = 0; i < solution.Triangles.size(); ++i)
   {

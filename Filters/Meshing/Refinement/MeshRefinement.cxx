@@ -14,23 +14,23 @@ namespace
 {
 /// Quality bound that TetGen reaches most reliably.
 constexpr double ReliableQualityBound = 2.0;
-/// A pass is rejected if a volume falls below this fraction of the first mesh's smallest volume or,
-/// if that is smaller, of the volume bound. It is also rejected if its minimum polar sine falls
-/// below MinimumShape and below that of the first mesh.
+/// A pass is rejected if its smallest volume is below this fraction of the first mesh's smallest
+/// volume or, if the volume bound is smaller than that, below this fraction of the bound. It is
+/// also rejected if its minimum polar sine is below both MinimumShape and that of the first mesh.
 constexpr double MinimumVolumeRatio = 1e-6;
 constexpr double MinimumShape = 1e-6;
 constexpr int MaximumNumberOfPasses = 12;
-/// Maximum number of consecutive passes without improvement. The next pass may still improve the
-/// mesh.
+/// Maximum number of consecutive passes without improvement. Such a pass does not end the
+/// refinement, because a later pass may still improve the mesh.
 constexpr int MaximumNumberOfStalls = 2;
 /// TetGen 1.6 leaves some tetrahedra slightly above a bound. If no tetrahedron exceeds a bound by
-/// more than this factor, each failed pass is followed by a pass with tighter bounds. The bounds
-/// are tightened by these fractions per failed pass.
+/// more than NearBoundFactor, each pass without improvement is followed by a pass with tighter
+/// bounds. TighterQuality and TighterVolume are the fractions by which a bound is tightened.
 constexpr double NearBoundFactor = 1.5;
 constexpr double TighterQuality = 0.02;
 constexpr double TighterVolume = 0.1;
-/// Maximum factor by which refinement may multiply the number of points if the first mesh nearly
-/// meets the volume bound, or if there is none. More points indicate a refinement that does not
+/// Maximum factor by which refinement may multiply the number of points if there is no volume bound
+/// or if the first mesh nearly meets it. More points indicate that the refinement would not
 /// terminate.
 constexpr int MaximumGrowth = 4;
 /// Weaker quality bounds. They are used for tetrahedra that remain too large because refinement
@@ -65,8 +65,8 @@ bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
 }
 
 /// Solves \a problem with all bounds. If TetGen fails, retries without a volume bound, and with a
-/// quality bound that it reaches more reliably. If both fail, keeps \a mesh, or returns the error
-/// if \a mesh is empty.
+/// quality bound that TetGen reaches more reliably. If both attempts fail, keeps \a mesh, or
+/// returns the error if \a mesh is empty.
 Error SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
 {
   const double quality = job.QualityBound > 0.0 ? job.QualityBound : ReliableQualityBound;

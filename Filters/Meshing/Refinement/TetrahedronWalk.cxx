@@ -12,7 +12,8 @@ namespace interlume
 
 namespace
 {
-/// A point is inside if no barycentric coordinate is below the negative of this value.
+/// A point is inside a tetrahedron if no barycentric coordinate is less than the negative of this
+/// value.
 constexpr double Rounding = 1e-12;
 }
 

@@ -13,13 +13,13 @@ struct TetGenSolution;
  * @class   TetrahedronWalk
  * @brief   finds the tetrahedron of a Delaunay mesh that contains a point
  *
- * It walks from the last result to neighbors, each time through the face opposite the corner with
- * the most negative barycentric coordinate.
+ * Starts at the last result and moves from neighbor to neighbor, each time through the face
+ * opposite the corner with the most negative barycentric coordinate.
  */
 class TetrahedronWalk
 {
 public:
-  /// Sets the mesh, which must have neighbors and outlive this object.
+  /// Sets the mesh, which must outlive this object. Its Neighbors must be set.
   explicit TetrahedronWalk(const TetGenSolution& mesh);
 
   /// Finds the tetrahedron that contains \a point and its barycentric coordinates \a weights. For a

@@ -15,13 +15,13 @@ struct TetGenSolution;
  * @class   VolumeBisection
  * @brief   splits tetrahedra that exceed the volume bound
  *
- * It bisects edges together with all tetrahedra around them. The search starts at the longest edge
- * of a tetrahedron that is too large. It moves to longer edges of adjacent tetrahedra until an edge
- * is the longest of all tetrahedra around it (M.-C. Rivara, "New longest-edge algorithms for the
- * refinement and/or improvement of unstructured triangulations", International Journal for
- * Numerical Methods in Engineering 40, 1997). Therefore quality degrades only by a bounded factor.
- * If the boundary is preserved and all edges of a tetrahedron are on it, the tetrahedron is split
- * at its centroid.
+ * Bisects an edge and thereby all tetrahedra around it. The search for the edge starts at the
+ * longest edge of a tetrahedron that is too large. It moves to longer edges of adjacent tetrahedra
+ * until an edge is the longest edge of all tetrahedra around it (M.-C. Rivara, "New longest-edge
+ * algorithms for the refinement and/or improvement of unstructured triangulations", International
+ * Journal for Numerical Methods in Engineering 40, 1997). Therefore quality degrades only by a
+ * bounded factor. If the boundary is preserved and all edges of a tetrahedron are on it, the
+ * tetrahedron is split at its centroid.
  */
 class VolumeBisection
 {
@@ -46,7 +46,7 @@ private:
   /// Splits an edge, or a tetrahedron if \a edge is { -1, -1 }. Returns the changed tetrahedra, or
   /// an empty list if rounding error would create a tetrahedron without volume.
   std::vector<int> Split(const Edge& edge, int tetrahedron);
-  /// Splits the facet triangles that share \a edge at \a point.
+  /// Splits the facet triangles that contain \a edge. \a point is the new midpoint of the edge.
   void SplitTriangles(const Edge& edge, int point);
   void ConnectNeighbors();
 

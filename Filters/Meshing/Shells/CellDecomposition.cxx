@@ -86,8 +86,8 @@ bool CellDecomposition::DecomposeFromPoint()
         continue;
       }
       const auto& p = triangle.Points;
-      // A face that contains the apex must be a fan around the apex. Otherwise, its other triangles
-      // would give degenerate tetrahedra.
+      // A face that contains the apex must be split into a fan around the apex. Otherwise, its
+      // other triangles would give degenerate tetrahedra.
       isGood = isGood && std::find(faces.begin(), faces.end(), triangle.Face) == faces.end() &&
         PolarSine(this->Shell.GetPoint(apex), this->Shell.GetPoint(p[0]),
           this->Shell.GetPoint(p[1]), this->Shell.GetPoint(p[2])) > DegenerateShape;
@@ -184,9 +184,10 @@ double CellDecomposition::GetMinimumShape(const double* apex) const
 
 bool CellDecomposition::FindCenter(glm::dvec3& center) const
 {
-  // Start at the mean of the points. Move away from the nearest triangle or, if any triangles are
-  // seen from outside, from the farthest of these, in decreasing steps: S. Agmon, "The relaxation
-  // method for linear inequalities", Canadian Journal of Mathematics 6, 1954.
+  // Start at the mean of the points, then move inward in decreasing steps. Each step is orthogonal
+  // to the triangle with the smallest signed distance from the center, which is negative outside
+  // (S. Agmon, "The relaxation method for linear inequalities", Canadian Journal of Mathematics 6,
+  // 1954).
   const auto number = static_cast<double>(this->Shell.PointIds.size());
   center = glm::dvec3(0.0);
   for (std::size_t i = 0; i < this->Shell.Points.size(); ++i)

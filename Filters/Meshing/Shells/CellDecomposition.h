@@ -20,10 +20,10 @@ struct TetGenSolution;
  * @brief   decomposes one cell into tetrahedra that preserve the triangles of its shell
  *
  * The first method that gives tetrahedra of positive volume is used:
- * 1. tetrahedra from a point of the cell to all triangles that do not contain the point. This
- *    succeeds for convex cells and adds no point.
- * 2. TetGen with preserved boundary, which may add points inside.
- * 3. tetrahedra from a new point that sees all triangles from inside.
+ * 1. Connect a point of the cell to all triangles that do not contain the point. This succeeds for
+ *    convex cells and adds no point.
+ * 2. Run TetGen with preserved boundary, which may add points inside.
+ * 3. Connect all triangles to a new point that sees each of them from inside.
  * If TetGen's tetrahedra are nearly degenerate, method 3 is used if it gives better ones.
  */
 class CellDecomposition
@@ -34,7 +34,7 @@ public:
   /// Decomposes the cell. A canceled run returns no error and no tetrahedra.
   Error Execute(MeshingJob& job);
 
-  /// Point indices of each tetrahedron: first the points of the shell, then NewPoints.
+  /// Point indices of each tetrahedron. The points of the shell are numbered first, then NewPoints.
   std::vector<std::array<int, 4>> Tetrahedra;
   std::vector<double> NewPoints; ///< three per point
 
@@ -45,7 +45,7 @@ private:
   bool DecomposeFromCenter();
   bool FindCenter(glm::dvec3& center) const;
   bool HasShell(const TetGenSolution& solution) const;
-  /// Returns the minimum polar sine of the tetrahedra from \a apex to all triangles.
+  /// Returns the minimum polar sine of the tetrahedra that connect \a apex to all triangles.
   double GetMinimumShape(const double* apex) const;
 
   const CellShell& Shell;

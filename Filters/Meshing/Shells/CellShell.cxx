@@ -171,7 +171,7 @@ Error CellShell::Orient()
         std::to_string(edge.second.size()) + " triangles of its faces instead of 2";
     }
   }
-  // Flip triangles so that each is consistent with its predecessor.
+  // Traverse the surface, and flip triangles that are inconsistent with the previous triangle.
   std::vector<bool> isVisited(this->Triangles.size(), false);
   std::vector<std::size_t> stack;
   std::size_t numberOfVisited = 0;

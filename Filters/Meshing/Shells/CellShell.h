@@ -21,7 +21,7 @@ class FaceTriangulation;
  * @class   CellShell
  * @brief   boundary triangles of one three-dimensional cell
  *
- * Pairs of equal triangles of a collapsed cell cancel. The remaining triangles form a closed
+ * Coincident triangles of a collapsed cell are removed. The remaining triangles form a closed
  * surface: each edge belongs to two of them. They are oriented so that the enclosed volume is
  * positive.
  */

@@ -87,8 +87,9 @@ double GetFanShape(const std::vector<PlanarPoint>& projected)
 /**
  * Finds the triangulation with the largest minimum shape quality, by dynamic programming over
  * sections of the polygon between two points (G. T. Klincsek, "Minimal triangulations of polygonal
- * domains", Annals of Discrete Mathematics 9, 1980). Triangles that all have positive area cover a
- * simple polygon once, so diagonals need no check. Returns the minimum quality.
+ * domains", Annals of Discrete Mathematics 9, 1980). If all triangles have positive area, they
+ * cover a simple polygon exactly once, so diagonals need not be checked for intersections. Returns
+ * the minimum quality.
  */
 double FindBest(const std::vector<PlanarPoint>& projected, std::vector<Corners>& triangles)
 {
@@ -133,7 +134,8 @@ double FindBest(const std::vector<PlanarPoint>& projected, std::vector<Corners>&
   return parts[n - 1].Shape;
 }
 
-/// Clips ears, the one with the best shape quality first. Returns the minimum quality.
+/// Triangulates by ear clipping. Each step clips the ear with the best shape quality. Returns the
+/// minimum quality.
 double CutEars(const std::vector<PlanarPoint>& projected, std::vector<Corners>& ears)
 {
   double minimum = 1.0;
@@ -198,7 +200,7 @@ bool FaceTriangulation::Triangulate(
   {
     return true;
   }
-  // Choose the start and the direction independently of the cell.
+  // Choose a start and a direction that are the same for both cells that share the face.
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), this->IsBefore),
     polygon.end());
   const bool isReversed = this->IsBefore(polygon.back(), polygon[1]);

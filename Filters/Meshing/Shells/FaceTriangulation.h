@@ -15,17 +15,17 @@ namespace interlume
 
 /**
  * @class   FaceTriangulation
- * @brief   splits a polygon into triangles, consistently for both cells of a face
+ * @brief   splits a polygonal face into triangles, identically for both cells that share it
  *
  * The result depends only on the cyclic sequence of the points, their positions and a given strict
- * order of points. It does not depend on the start or the direction of the list. Therefore both
- * cells that share a face get the same triangles.
+ * order of the points. It does not depend on the point at which the polygon starts or on its
+ * direction. Therefore both cells that share a face get the same triangles.
  *
  * Shape quality is measured in the projection along the coordinate axis closest to the normal. The
  * fan from the first point in the strict order is used if its worst triangle is nearly as good as
  * possible. Otherwise, for example for concave polygons or collinear points, the triangulation
- * whose worst triangle is best is used. (In a non-planar face, a needle between three nearly
- * collinear points could intersect the adjacent face.)
+ * whose worst triangle is best is used. (In a non-planar face, a needle-shaped triangle of three
+ * nearly collinear points could intersect the adjacent face.)
  */
 class FaceTriangulation
 {
@@ -37,9 +37,9 @@ public:
   FaceTriangulation(std::function<glm::dvec3(vtkIdType)> getPoint, Order isBefore);
 
   /**
-   * Appends the triangles of \a polygon with the same orientation. Consecutive equal points count
-   * once. A polygon with fewer than three points adds no triangle and returns true. Returns false
-   * without adding triangles if the polygon intersects itself or has no area.
+   * Appends the triangles of \a polygon, with the orientation of the polygon. Consecutive equal
+   * points count once. A polygon with fewer than three points adds no triangle and returns true.
+   * Returns false without adding triangles if the polygon intersects itself or has no area.
    */
   bool Triangulate(std::vector<vtkIdType> polygon, std::vector<Triangle>& triangles) const;
 

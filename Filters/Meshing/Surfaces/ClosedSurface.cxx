@@ -50,7 +50,7 @@ std::vector<Polygon> PolygonsOf(int type, vtkIdList* ids)
   }
 }
 
-/// Assumed rounding error of positions, in units of the largest coordinate's rounding error.
+/// Assumed error of positions, as a multiple of the rounding error of the largest coordinate.
 constexpr double RoundingSteps = 8.0;
 
 double FindLargest(const std::vector<double>& coordinates)
@@ -63,7 +63,7 @@ double FindLargest(const std::vector<double>& coordinates)
   return largest;
 }
 
-/// Returns the maximum distance between points that rounding of the input may have separated.
+/// Returns the maximum distance by which rounding may have separated coincident input points.
 double FindRounding(vtkDataSet* input, const DistinctPoints& points)
 {
   vtkPointSet* set = vtkPointSet::SafeDownCast(input);
@@ -314,7 +314,7 @@ Error ClosedSurface::ConnectEdges()
   std::sort(edges.begin(), edges.end(),
     [](const Edge& a, const Edge& b)
     { return std::tie(a.From, a.To, a.Triangle) < std::tie(b.From, b.To, b.Triangle); });
-  // Triangles that were split stay coplanar within rounding error.
+  // The parts of a split triangle are coplanar only up to rounding error.
   this->Flatness = 2.0 * RoundingSteps * FindLargest(this->Points.Coordinates) *
     std::numeric_limits<double>::epsilon();
   std::vector<std::vector<std::size_t>> neighbors(this->Triangles.size());
@@ -356,8 +356,8 @@ Error ClosedSurface::ConnectEdges()
       stack.pop_back();
       for (std::size_t other : neighbors[triangle])
       {
-        // Compare with the first triangle so that a gently curved surface does not become one
-        // plane.
+        // Compare with the first triangle of the patch so that a gently curved surface does not
+        // become a single patch.
         if (this->Triangles[other].Patch < 0 && this->AreCoplanar(first, other))
         {
           this->Triangles[other].Patch = patch;

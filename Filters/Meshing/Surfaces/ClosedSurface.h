@@ -19,8 +19,8 @@ namespace interlume
  * @brief   closed triangle surface from the polygons of a dataset
  *
  * FaceTriangulation splits the polygons. Coincident points are merged, and collapsed and duplicate
- * triangles are removed. The surface is closed if each edge belongs to at least two triangles.
- * Edges with more than two triangles bound walls between regions.
+ * triangles are removed. The surface is closed if each edge belongs to at least two triangles. An
+ * edge belongs to more than two triangles where walls between regions meet.
  */
 class ClosedSurface
 {
@@ -29,7 +29,8 @@ public:
   {
     std::array<int, 3> Points; ///< indices of distinct points
     vtkIdType Cell = 0;        ///< last input cell with the triangle
-    /// Number of input triangles that cover this triangle; more than 1 where parts touch.
+    /// Number of input triangles that cover this triangle; more than 1 where parts of the surface
+    /// touch.
     int Layers = 1;
     int Origin = -1; ///< index of an input triangle that contains it
     /// Index of the triangle's planar patch. A patch is a set of coplanar triangles connected by
@@ -38,21 +39,23 @@ public:
   };
 
   ClosedSurface() = default;
-  /// Creates a surface from \a triangles of \a points that already form a closed surface.
+  /// Creates a surface from \a triangles, which must already form a closed surface. They are given
+  /// as three indices of \a points per triangle.
   ClosedSurface(const DistinctPoints& points, const std::vector<int>& triangles);
 
   /// Reads the polygons and splits them at contacts if \a splitContacts is true. Returns an error
   /// that names the offending cell or point.
   Error Take(vtkDataSet* input, bool splitContacts);
-  /// Merges points: replaces each key of \a merged by its value. Removes triangles that collapse.
+  /// Merges points: replaces each key of \a merged with its value. Removes triangles that collapse.
   void MergePoints(const std::map<int, int>& merged);
 
-  /// Returns the TetGen problem that fills the surface. Each patch is a facet, or each triangle if
-  /// the boundary is preserved.
+  /// Returns the TetGen problem for filling the surface. Its facets are the planar patches, or the
+  /// single triangles if the boundary is preserved.
   TetGenProblem MakeProblem(bool preserveBoundary) const;
 
   const double* GetPoint(int p) const { return &this->Points.Coordinates[3 * p]; }
-  /// Returns the normal of three points. Its length is twice the area of their triangle.
+  /// Returns the normal of a triangle with the given points. Its length is twice the triangle's
+  /// area.
   glm::dvec3 GetNormal(const std::array<int, 3>& points) const;
 
   DistinctPoints Points;
@@ -70,7 +73,7 @@ private:
   Error ConnectEdges();
   bool AreCoplanar(std::size_t triangle, std::size_t other) const;
 
-  /// Distance up to which a point counts as lying in a plane.
+  /// Maximum distance from a plane at which a point counts as lying in the plane.
   double Flatness = 0.0;
 };
 

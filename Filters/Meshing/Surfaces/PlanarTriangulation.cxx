@@ -13,7 +13,8 @@ namespace
 __extension__ typedef __int128 Wide;
 
 constexpr double Steps = 4503599627370496.0; // 2^52
-/// The coordinates of the frame's corners are -Frame or 2 * Frame, in grid steps.
+/// The corners of the large triangle around all points have the coordinates -Frame or 2 * Frame, in
+/// grid steps.
 constexpr std::int64_t Frame = std::int64_t(1) << 54;
 
 int IndexOf(const std::array<int, 3>& list, int value)
@@ -74,8 +75,8 @@ int PlanarTriangulation::Orientation(int a, int b, int c) const
 
 bool PlanarTriangulation::IsInCircle(int a, int b, int c, int d) const
 {
-  // The test need not be exact, since an unnecessary flip affects only the quality. The margin
-  // prevents flip cycles.
+  // The test need not be exact, since an unnecessary flip affects only the quality. The tolerance
+  // of the comparison prevents flip cycles.
   std::array<std::array<long double, 3>, 3> rows;
   long double size = 0.0L;
   const std::array<int, 3> corners{ { a, b, c } };
@@ -157,8 +158,8 @@ void PlanarTriangulation::AddPoint(int point)
       edge = i;
     }
   }
-  // Connect the point to the three corners. If it is on an edge, one triangle is degenerate, and
-  // the edge is flipped.
+  // Connect the point to the three corners. If it is on an edge, one of the new triangles is
+  // degenerate, so flip the edge.
   const int second = static_cast<int>(this->Triangles.size());
   const std::array<int, 3> parts{ { t, second, second + 1 } };
   this->Triangles.resize(this->Triangles.size() + 2);
@@ -306,8 +307,8 @@ void PlanarTriangulation::AddSegment(const Edge& segment)
       }
       const int orientation = this->Orientation(a, b, apex);
       this->Good = orientation != 0;
-      // Continue with the edge from the apex to the end of the current edge that is on the other
-      // side of the segment.
+      // The next crossing edge connects the apex to that end of the current edge that is on the
+      // other side of the segment.
       t = u;
       i = orientation > 0 ? IndexOf(next.Points, edge[0] == right ? edge[1] : edge[0])
                           : IndexOf(next.Points, right);

@@ -14,10 +14,11 @@ namespace interlume
  * @class   PlanarTriangulation
  * @brief   triangulates points and segments in a plane
  *
- * Points are inserted one by one, with Lawson's flips, in a large triangle, the frame. Segments are
- * then recovered by flips (S. W. Sloan, "A fast algorithm for generating constrained Delaunay
- * triangulations", Computers & Structures 47(3), 1993). Coordinates are rounded to a grid of 2^52
- * steps across the extent of the points, and orientation tests on the grid are exact.
+ * Points are inserted one by one into a large triangle, the frame, with Lawson flips after each
+ * insertion. Segments are then recovered by flips (S. W. Sloan, "A fast algorithm for generating
+ * constrained Delaunay triangulations", Computers & Structures 47(3), 1993). Coordinates are
+ * rounded to a grid of 2^52 steps across the extent of the points, and orientation tests on the
+ * grid are exact.
  */
 class PlanarTriangulation
 {
@@ -45,8 +46,8 @@ private:
   int Locate(int point) const;
   /// Flips the edge opposite corner \a i of triangle \a t.
   void Flip(int t, int i);
-  /// Flips edges opposite \a point, starting with the triangles \a changed, until circumcircles are
-  /// empty.
+  /// Flips edges opposite \a point, starting with the triangles \a changed, until the circumcircles
+  /// of the triangles around \a point are empty.
   void Legalize(std::vector<int> changed, int point);
   void Replace(int t, int old, int now);
   int Orientation(int a, int b, int c) const;

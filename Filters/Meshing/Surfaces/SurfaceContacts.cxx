@@ -290,7 +290,7 @@ void SurfaceContacts::AddPart(int t, const std::array<int, 3>& points, int layer
 
 Error SurfaceContacts::Split()
 {
-  // Merging points can bring other points within the tolerance.
+  // Repeat, since merging points can bring other points within the tolerance of each other.
   for (int round = 0; round < 4 && !this->Merged.empty(); ++round)
   {
     this->Surface.MergePoints(this->Merged);
@@ -391,7 +391,7 @@ Error SurfaceContacts::SplitTogether(const std::vector<int>& members)
     }
     return found.first->second;
   };
-  // The overlapping triangles that each edge segment bounds.
+  // For each segment of an edge, the members that it bounds.
   std::map<Edge, std::vector<int>> pieces;
   const auto addPiece = [&](int p, int q) -> std::vector<int>&
   {
@@ -452,8 +452,8 @@ Error SurfaceContacts::SplitTogether(const std::vector<int>& members)
 void SurfaceContacts::AddCoveredTriangles(const PlanarTriangulation& plane,
   const std::vector<int>& ids, const std::map<Edge, std::vector<int>>& pieces)
 {
-  // Traverse the triangles from outside inward. Crossing an edge segment toggles, for each member
-  // that the segment bounds, whether the member covers the area.
+  // Traverse the triangles of the plane, starting outside. Crossing a segment enters or leaves the
+  // overlapping surface triangles that the segment bounds.
   const std::vector<PlanarTriangulation::Triangle>& triangles = plane.GetTriangles();
   const auto given = static_cast<int>(ids.size());
   std::vector<std::set<int>> covers(triangles.size());

@@ -19,12 +19,12 @@ namespace interlume
  * @class   SurfaceContacts
  * @brief   finds and splits triangles that touch each other
  *
- * TetGen requires that triangles meet only in common points, edges or entire triangles. Other
- * contacts are a point on an edge or inside a triangle, coplanar edges that cross, and overlapping
- * coplanar triangles. Each contact position becomes a point of all triangles there. Overlapping
- * coplanar triangles are triangulated together so that their common area has one set of triangles.
- * Contacts are found within a tolerance for rounding errors, and points within the tolerance are
- * merged.
+ * TetGen requires that triangles meet only in common points, edges or entire triangles. This class
+ * handles the other contacts: a point on an edge or inside a triangle, coplanar edges that cross,
+ * and overlapping coplanar triangles. Each contact point becomes a vertex of all triangles that
+ * contain it. Overlapping coplanar triangles are triangulated together so that their common area
+ * has one set of triangles. Contacts are found within a tolerance for rounding errors, and points
+ * within the tolerance are merged.
  */
 class SurfaceContacts
 {
@@ -34,22 +34,22 @@ public:
 
   /// Finds the contacts. Returns whether any exist.
   bool Find();
-  /// Returns the input cells of the first contact.
+  /// Returns the input cells of the contact with the lowest cell ids.
   const std::array<vtkIdType, 2>& GetFirstCells() const { return this->FirstCells; }
 
   /// Splits the triangles at contacts. Returns an error if a triangle cannot be split.
   Error Split();
-  /// Returns the number of triangles that were split.
   vtkIdType GetNumberOfSplitTriangles() const { return this->NumberOfSplitTriangles; }
 
 private:
   using Edge = std::array<int, 2>; ///< point indices in ascending order
 
   void FindInPair(int s, int t);
-  /// Finds the corners of \a s on \a t. \a distances are their distances from the plane of \a t.
+  /// Finds the corners of triangle \a s that lie on triangle \a t. \a distances are the distances
+  /// of the corners from the plane of \a t.
   void FindPoints(int s, int t, const std::array<double, 3>& distances);
   void FindCrossings(int s, int t);
-  /// Finds the edges of \a s that lie in the plane of \a t.
+  /// Finds the edges of triangle \a s that lie in the plane of triangle \a t.
   void FindEdgesInside(int s, int t, const std::array<double, 3>& distances);
   /// Returns whether two coplanar triangles overlap.
   bool DoOverlap(int s, int t) const;
@@ -57,16 +57,16 @@ private:
   int FindRoot(int t);
   /// Adds each crossing of two edges as a point to both edges.
   void AddCrossings();
-  /// Returns the points on an edge from end to end.
+  /// Returns the points on an edge in their order along the edge, including its ends.
   std::vector<int> PointsAlong(const Edge& edge) const;
   /// Splits a set of overlapping coplanar triangles, or a single triangle.
   Error SplitTogether(const std::vector<int>& members);
-  /// Adds the triangles of \a plane that any of the overlapping triangles covers. \a pieces lists,
-  /// for each edge segment, the overlapping triangles that it bounds.
+  /// Adds each triangle of \a plane that is covered by one or more overlapping triangles to the
+  /// result. \a pieces lists, for each edge segment, the overlapping triangles that it bounds.
   void AddCoveredTriangles(const class PlanarTriangulation& plane, const std::vector<int>& ids,
     const std::map<Edge, std::vector<int>>& pieces);
 
-  /// Adds a part of triangle \a t, covered by \a layers input triangles, to the result.
+  /// Adds a part of triangle \a t to the result. \a layers input triangles cover the part.
   void AddPart(int t, const std::array<int, 3>& points, int layers);
   const double* GetPoint(int p) const { return this->Surface.GetPoint(p); }
   int GetCorner(int t, int i) const;

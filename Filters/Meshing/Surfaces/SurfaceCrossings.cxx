@@ -17,7 +17,8 @@ namespace
 {
 using Vectors::Difference;
 
-/// Returns the sign of the volume of a, b, c, d, or 0 if rounding error may have changed it.
+/// Returns the orientation of the tetrahedron a, b, c, d: the sign of its volume, or 0 if rounding
+/// error may have changed the sign.
 int CertainSign(const double* a, const double* b, const double* c, const double* d)
 {
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2;

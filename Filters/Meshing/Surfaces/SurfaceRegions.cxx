@@ -38,8 +38,8 @@ public:
       [](const Wall& a, const Wall& b) { return a.Points < b.Points; });
   }
 
-  /// Returns the marker of the facet triangle with \a points, in ascending order, or 0 if there is
-  /// none.
+  /// Returns the marker of the facet triangle with \a points, which must be in ascending order, or
+  /// 0 if there is none.
   int Find(const Triple& points) const
   {
     const auto found = std::lower_bound(this->List.begin(), this->List.end(), points,
@@ -70,8 +70,8 @@ SurfaceRegions::SurfaceRegions(const TetGenSolution& solution,
 {
   const Walls walls(solution);
   std::vector<Region> regions;
-  // A region, a tetrahedron on the other side of a facet of the region, and the facet's number of
-  // layers.
+  // Each entry contains a region, a tetrahedron on the other side of a facet of the region, and the
+  // facet's number of layers.
   std::vector<std::array<int, 3>> crossings;
   std::vector<int> stack;
   std::queue<int> outermost;

@@ -44,7 +44,8 @@ struct Extents
   }
 };
 
-/// Returns the axis along which triangles are shortest relative to the extent of the surface.
+/// Returns the axis along which the boxes are, on average, shortest relative to the extent of all
+/// boxes.
 int ChooseAxis(const std::vector<Extents>& boxes)
 {
   int best = 0;

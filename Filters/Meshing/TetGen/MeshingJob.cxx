@@ -17,7 +17,7 @@ namespace interlume
 
 namespace
 {
-/// Minimum volume bound in the unit of the mesh, because 0 means no bound.
+/// Smallest volume bound passed to TetGen. A bound must not become 0, which means no bound.
 constexpr double MinimumVolumeBound = 1e-300;
 }
 
@@ -39,7 +39,7 @@ std::string MeshingJob::GetRefinementSwitches(double quality, double volume, int
   switches << std::setprecision(17);
   if (quality > 0.0)
   {
-    // TetGen does not parse exponents here.
+    // TetGen does not parse exponents in the q switch.
     switches << std::fixed << "q" << quality << "/" << this->MinimumDihedralAngle;
   }
   if (volume > 0.0)
@@ -73,7 +73,7 @@ Error MeshingJob::Solve(const TetGenProblem& problem, TetGenSolution& solution)
   {
     return error;
   }
-  // All meshers require that the points of the problem come first and have not moved.
+  // All meshers require the solution to start with the unchanged points of the problem.
   if (solution.Points.size() < problem.Points.size() ||
     !std::equal(problem.Points.begin(), problem.Points.end(), solution.Points.begin()))
   {

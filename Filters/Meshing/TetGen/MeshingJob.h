@@ -17,9 +17,9 @@ namespace interlume
 {
 
 /**
- * One execution of vtkTetrahedralMesher: its settings, its TetGen process, and its results. A
- * mesher fills Mesh or returns an error. A canceled job has no error, and its Mesh must not be
- * used.
+ * One execution of vtkTetrahedralMesher: its settings, its TetGen process, and its results. The
+ * functions of Meshers fill Mesh or return an error. If a job is canceled, they return no error,
+ * and Mesh must not be used.
  */
 struct MeshingJob : vtkMeshingSettings
 {
@@ -39,13 +39,13 @@ struct MeshingJob : vtkMeshingSettings
   Tetrahedra Mesh;
   TetrahedralMesherReport Report;
 
-  /// Sets the unit of length in which TetGen receives the points, see Tetrahedra::UnitExponent, and
-  /// converts the volume bound to it.
+  /// Sets the unit of length of the points passed to TetGen (see Tetrahedra::UnitExponent), and
+  /// converts the volume bound to this unit.
   void SetUnit(int exponent);
-  /// Returns whether a bound is set.
+  /// Returns whether a quality or volume bound is set.
   bool IsRefining() const { return this->QualityBound > 0.0 || this->MaximumVolume > 0.0; }
-  /// Returns TetGen's switches for refinement with bounds (0 for no bound) and a limit on the
-  /// number of added points.
+  /// Returns TetGen's switches for refinement with the given bounds (0 for no bound) and limit on
+  /// the number of added points.
   std::string GetRefinementSwitches(double quality, double volume, int points) const;
 
   /// Returns the dimension of a cell type, or 0 if the type is unknown.

@@ -15,7 +15,7 @@ namespace interlume
 
 namespace
 {
-/// Mark before every list, to detect a program that is not the worker.
+/// Number sent before each list. If it is missing, the other program is not the worker.
 constexpr std::uint64_t ListMark = 0x496e7465726c756dU;
 /// Interval between calls of WaitCallback, in milliseconds.
 constexpr int WaitMilliseconds = 100;

@@ -13,9 +13,9 @@ namespace interlume
  * @class   TetGenChannel
  * @brief   exchanges problems and solutions over a socket
  *
- * Both ends are the same build on the same machine, so numbers are sent as raw memory. For broken
- * connections and invalid data, the functions return false; they never raise a signal or an
- * exception.
+ * Both programs are from the same build and run on the same machine, so numbers are sent as raw
+ * memory. If the connection breaks or the data is invalid, the functions return false; they never
+ * raise a signal or throw an exception.
  */
 class TetGenChannel
 {
@@ -29,8 +29,7 @@ public:
   bool Send(const TetGenProblem& problem);
   bool Send(const TetGenSolution& solution);
   bool Receive(TetGenProblem& problem);
-  /// Receives a solution. Returns false if an index is not the index of a point, or a neighbor not
-  /// the index of a tetrahedron.
+  /// Receives a solution. Returns false if a point index or a neighbor index is out of range.
   bool Receive(TetGenSolution& solution);
 
 private:

@@ -12,9 +12,9 @@ namespace interlume
 {
 
 /**
- * Input of TetGen: its switches and a list of points. Without triangles it is a Delaunay problem,
- * with triangles a piecewise linear complex. With tetrahedra it is a mesh to refine, whose
- * triangles are the tetrahedron faces on facets. Indices start at 0.
+ * Input of TetGen: its switches and a list of points. Points alone are a Delaunay problem, points
+ * and triangles are a piecewise linear complex. If there are tetrahedra, they are a mesh to refine,
+ * and the triangles are the tetrahedron faces on facets. Indices start at 0.
  */
 struct TetGenProblem
 {
@@ -27,7 +27,7 @@ struct TetGenProblem
 };
 
 /**
- * Output of TetGen. The points of the problem come first, in their order.
+ * Output of TetGen. The points of the problem come first, in the same order.
  */
 struct TetGenSolution
 {
@@ -40,8 +40,8 @@ struct TetGenSolution
   std::vector<int> Triangles;  ///< three per triangle on a facet of the problem
   std::vector<int> Markers;    ///< marker of each triangle
 
-  /// Returns the points of the face opposite corner \a i % 4 of tetrahedron \a i / 4, in ascending
-  /// order.
+  /// Returns the indices, in ascending order, of the points of the face opposite corner \a i % 4 of
+  /// tetrahedron \a i / 4.
   std::array<int, 3> GetFace(std::size_t i) const
   {
     const int* p = &this->Tetrahedra[i - i % 4];

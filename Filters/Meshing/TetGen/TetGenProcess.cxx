@@ -23,9 +23,9 @@ namespace interlume
 
 namespace
 {
-/// Number of bytes from the end of TetGen's output that an error message quotes.
+/// Error messages quote at most this number of bytes from the end of TetGen's output.
 constexpr long OutputTail = 400;
-/// Code of a solution for which TetGen ran out of memory.
+/// Error code of TetGen for insufficient memory.
 constexpr int MemoryCode = 1;
 
 /// Returns the path of the worker next to the library that contains this function.
@@ -132,7 +132,7 @@ std::string TetGenProcess::Stop()
   }
   if (this->Process > 0)
   {
-    // A worker that crashed has exited already. Report its own signal, not SIGKILL.
+    // Check first whether the worker has crashed, to report its signal instead of SIGKILL.
     int status = 0;
     pid_t ended = ::waitpid(this->Process, &status, WNOHANG);
     if (ended == 0)
@@ -172,7 +172,7 @@ std::string TetGenProcess::GetLastOutput() const
     std::fseek(this->Output, start, SEEK_SET);
     text.resize(std::fread(&text[0], 1, text.size(), this->Output));
   }
-  // Join the printable characters on one line.
+  // Replace line breaks and other unprintable characters with spaces.
   std::string line;
   for (char c : text)
   {

@@ -18,12 +18,12 @@ namespace interlume
  * @class   TetGenProcess
  * @brief   runs TetGen in a separate process
  *
- * TetGen 1.5 throws from functions whose destructors then free memory twice, has assertions, can
- * recurse without limit, and may not terminate. Therefore it runs in a small program. The program
- * starts with the first problem and is reused for later problems. It is restarted after a failure.
- * TetGen's predicates and random numbers have global state, which is confined to that process.
- * posix_spawn makes the start safe in a process with threads. The calling process receives no
- * signal. TetGen's output is written to a temporary file.
+ * TetGen 1.5 may free memory twice after throwing an exception, fail an assertion, recurse without
+ * limit, or not terminate. Therefore it runs in a small program, the worker. The worker is started
+ * for the first problem, reused for later problems, and restarted after a failure. The global state
+ * of TetGen's predicates and random numbers is confined to the worker process. posix_spawn is used
+ * because it is safe in a process with threads. The calling process receives no signal. TetGen's
+ * output is written to a temporary file.
  */
 class TetGenProcess
 {

@@ -30,8 +30,8 @@ struct TetrahedralMesherReport
   vtkIdType UnsupportedCells = 0;
   /// Number of triangles of the input surface.
   vtkIdType SurfaceTriangles = 0;
-  /// Number of triangles of the input surface that were split because they touch others, see
-  /// SplitContacts.
+  /// Number of triangles of the input surface that were split because they touch other triangles
+  /// (see SplitContacts).
   vtkIdType SplitTriangles = 0;
   /// Number of points of a surface or point set that were merged with a coincident point.
   vtkIdType MergedPoints = 0;

@@ -16,8 +16,8 @@
 
 namespace
 {
-// By default, TetGen 1.6 also smooths the input points (s0 turns this off). It also treats plates
-// thinner than 1e-8 of their length as planar (T sets the tolerance).
+// By default, TetGen 1.6 smooths the mesh, which moves input points (s0 turns this off), and treats
+// plates thinner than 1e-8 of their length as planar (T sets the tolerance).
 #ifdef INTERLUME_TETGEN_SMOOTHS
 const char* const SwitchesOfVersion = "s0T1e-14";
 #else
@@ -78,7 +78,7 @@ interlume::TetGenSolution Solve(const interlume::TetGenProblem& problem)
     input.numberofcorners = 4;
     input.tetrahedronlist = CopyOf(problem.Tetrahedra);
   }
-  // TetGen uses random numbers. Reset them so that a solution does not depend on earlier problems.
+  // TetGen calls std::rand. Set the seed so that a solution does not depend on earlier problems.
   std::srand(1);
   std::string switches = problem.Switches + SwitchesOfVersion;
   tetrahedralize(&switches[0], &input, &output);
@@ -98,10 +98,11 @@ interlume::TetGenSolution Solve(const interlume::TetGenProblem& problem)
 
 int main()
 {
-  // TetGen 1.6 writes files to the current directory after some failures.
+  // Change to a temporary directory, because TetGen 1.6 writes files to the current directory after
+  // some failures.
   std::error_code ignored;
   std::filesystem::current_path(std::filesystem::temp_directory_path(ignored), ignored);
-  // Flush each line so that the output is in the file if TetGen crashes.
+  // Flush each line so that no output is lost if TetGen crashes.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   interlume::TetGenChannel channel(STDIN_FILENO);
   interlume::TetGenProblem problem;

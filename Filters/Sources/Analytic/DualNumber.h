@@ -11,9 +11,10 @@ namespace interlume
 {
 
 /**
- * A number with its derivatives with respect to three variables. A formula that is a template over
- * its number type computes exact derivatives with this type. Store results as DualNumber, not as
- * auto: Eigen's operators return expressions that refer to their operands.
+ * A number and its derivatives with respect to three variables. A formula whose number type is a
+ * template parameter also yields its exact derivatives if it is evaluated with this type. Store
+ * results as DualNumber, not as auto: Eigen's operators return expressions that refer to their
+ * operands.
  */
 using DualNumber = Eigen::AutoDiffScalar<Eigen::Vector3d>;
 

@@ -12,8 +12,8 @@ namespace interlume
 {
 
 /**
- * The flows of vtkAnalyticFlowSource other than vortices: functors that compute the velocity at x,
- * relative to the center, for double and DualNumber. Directions must be normalized.
+ * The flows of vtkAnalyticFlowSource other than vortices: functors that compute the velocity at a
+ * position relative to the center, for double and DualNumber. Directions must be normalized.
  */
 namespace ElementaryFlows
 {
@@ -80,7 +80,7 @@ struct Pair
   double Strength;
   glm::dvec3 Separation;
   double CoreRadius;
-  /// If true, the cores are softened (Plummer), otherwise they are spheres of constant divergence.
+  /// If true, the cores are softened (Plummer); otherwise, they are spheres of constant divergence.
   bool IsSoftened;
 
   template <typename Number>
@@ -103,8 +103,8 @@ struct Pair
   }
 
 private:
-  // Returns the velocity due to the source divided by the distance from it, given the squared
-  // distance.
+  // Returns the speed due to the source, divided by the distance from the source. \a r2 is the
+  // squared distance.
   template <typename Number>
   Number GetFactor(const Number& r2) const
   {
@@ -152,7 +152,7 @@ struct Sphere
 /// Potential flow around an infinite cylinder; 0 inside.
 struct Cylinder
 {
-  /// Velocity perpendicular and parallel to the axis.
+  /// Components of the far-field velocity perpendicular and parallel to the axis.
   glm::dvec3 Across;
   glm::dvec3 Along;
   glm::dvec3 Axis;

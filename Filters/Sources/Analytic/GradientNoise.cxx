@@ -16,7 +16,7 @@ namespace
 {
 constexpr int Period = 256;
 
-// K. Perlin, reference implementation of improved noise, 2002.
+// The permutation of K. Perlin's reference implementation of improved noise, 2002.
 constexpr unsigned char PublishedPermutation[Period] = { 151, 160, 137, 91, 90, 15, 131, 13, 201,
   95, 96, 53, 194, 233, 7, 225, 140, 36, 103, 30, 69, 142, 8, 99, 37, 240, 21, 10, 23, 190, 6, 148,
   247, 120, 234, 75, 0, 26, 197, 62, 94, 252, 219, 203, 117, 35, 11, 32, 57, 177, 33, 88, 237, 149,
@@ -41,7 +41,7 @@ std::uint64_t GetNextNumber(std::uint64_t& state)
   return z ^ (z >> 31);
 }
 
-// Returns floor(x), and computes the corresponding cell within a period.
+// Returns floor(x), and sets \a cell to floor(x) modulo Period.
 double GetCell(double x, int& cell)
 {
   if (std::fabs(x) < 1e9)
@@ -53,7 +53,7 @@ double GetCell(double x, int& cell)
     return lower;
   }
   const double lower = std::floor(x);
-  // The result is exact, because both operands are integers, and it fits in an int.
+  // The difference is exact, because both operands are integers, and lies in 0 ... Period - 1.
   cell = static_cast<int>(lower - Period * std::floor(lower / Period));
   return lower;
 }

@@ -11,8 +11,8 @@ namespace interlume
 {
 
 /**
- * The vortices of vtkAnalyticFlowSource: functors that compute the velocity at x, relative to the
- * center, for double and DualNumber.
+ * The vortices of vtkAnalyticFlowSource: functors that compute the velocity at a position relative
+ * to the center, for double and DualNumber.
  */
 namespace VortexFlows
 {
@@ -21,9 +21,9 @@ using std::cos;
 using std::sin;
 
 /**
- * A tilted and bent vertical axis. It maps a vortex around a straight axis to a vortex around this
- * axis: coordinates are shifted depending on the height, and the vertical velocity follows the
- * axis. The map preserves the divergence.
+ * A vortex axis that is tilted and bent from the vertical. A vortex around a vertical axis is
+ * mapped to a vortex around this axis: horizontal coordinates are shifted depending on the height,
+ * and the vertical velocity is redirected along the axis. The map preserves the divergence.
  */
 struct BentAxis
 {
@@ -38,7 +38,7 @@ struct BentAxis
     return z / this->Height + 0.5;
   }
 
-  /// Computes the horizontal offset from the axis.
+  /// Computes the horizontal offset of \a x from the axis.
   template <typename Number>
   void Shift(const Number x[3], Number offset[2]) const
   {
@@ -49,8 +49,9 @@ struct BentAxis
     }
   }
 
-  /// Computes the velocity. \a radialByRadius and \a swirlByRadius are the radial and tangential
-  /// velocity, divided by the radius.
+  /// Computes the velocity from its components. \a radialByRadius and \a swirlByRadius are the
+  /// radial and tangential velocity divided by the distance from the axis. \a rise is the vertical
+  /// velocity.
   template <typename Number>
   void Compose(const Number x[3], const Number& radialByRadius, const Number& swirlByRadius,
     const Number& rise, Number v[3]) const

@@ -10,7 +10,7 @@ namespace interlume
 {
 
 /**
- * Processes the rows of an extent along i in parallel.
+ * Processes the rows of an extent (lines of points along i) in parallel.
  */
 namespace ExtentRows
 {

@@ -21,14 +21,14 @@ namespace interlume
 
 /**
  * @class   FieldSampler
- * @brief   samples a time-dependent scalar field in parallel, with the settings of its source
+ * @brief   samples a time-dependent scalar field in parallel, with the settings of a source filter
  *
- * A sampler refers to the settings of its source. The functions that assign a setting mark \a owner
- * as modified if the setting changes.
+ * The static functions assign a setting of the source filter \a owner and mark it as modified if
+ * the setting changes.
  */
 struct FieldSampler
 {
-  /// A scalar field of the position at one time.
+  /// A scalar field at one time, as a function of the position.
   using Field = std::function<double(const double x[3])>;
   /// Computes the position of point (i,j,k), whose id in the output is \a point.
   using Positions = std::function<void(const int ijk[3], vtkIdType point, double x[3])>;
@@ -38,7 +38,7 @@ struct FieldSampler
   int ScalarType;
   const char* ArrayName;
 
-  /// Assigns the range in ascending order. Returns an error if it is not finite.
+  /// Assigns the time range in ascending order. Returns an error if a time is not finite.
   static Error SetTimeRange(double (&range)[2], double first, double last, vtkAlgorithm* owner);
   /// Assigns VTK_DOUBLE, or VTK_FLOAT for any other type.
   static void SetScalarType(int& member, int type, vtkAlgorithm* owner);

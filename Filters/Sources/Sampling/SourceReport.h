@@ -19,7 +19,7 @@ namespace interlume
  */
 struct SourceReport
 {
-  /// Number of points of the output, which may be smaller than the whole extent.
+  /// Number of output points. The output may cover only a part of the whole extent.
   vtkIdType Points = 0;
   /// Number of positions at which the field was evaluated. It exceeds the number of points if
   /// values are means of subsamples, or if colors depend on points outside the requested extent.
@@ -29,7 +29,7 @@ struct SourceReport
   /// Time at which the field was evaluated, or 0 for steady fields.
   double Time = 0.0;
 
-  /// Returns the report of a complete output.
+  /// Returns the report for a completed \a output.
   static SourceReport Of(vtkDataSet* output, vtkIdType evaluations, double time = 0.0);
 
   void CopyTo(vtkInterlumeReport* report) const;

@@ -12,9 +12,9 @@ namespace interlume
 namespace BentAxis
 {
 /**
- * Returns the squared distance from a point to the axis, approximated by its tangent at the same s.
- * \a offset is the vector from the axis to the point in the plane s = const. \a slope is the
- * derivative of the axis with respect to s.
+ * Returns the squared distance from a point to the tangent of the axis at the point's coordinate s.
+ * It approximates the squared distance to the axis. \a offset is the vector from the axis to the
+ * point in the plane s = const. \a slope is the derivative of the axis with respect to s.
  */
 inline double SquaredDistance(const double offset[2], const double slope[2])
 {

@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   FlowLights
- * @brief shader data of the renderer's lights that are switched on
+ * @brief   shader data of those lights of a renderer that are switched on
  */
 class FlowLights
 {

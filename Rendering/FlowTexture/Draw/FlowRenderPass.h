@@ -23,7 +23,7 @@ namespace interlume
 
 /**
  * @class   FlowRenderState
- * @brief state of an implicit flow field that is cached between frames
+ * @brief   state for rendering an implicit flow field, cached between frames
  */
 struct FlowRenderState
 {

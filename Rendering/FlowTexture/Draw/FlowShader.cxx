@@ -32,8 +32,8 @@ void Replace(std::string& text, const std::string& from, const std::string& to)
   }
 }
 
-// Returns the lookup functions of all inflow textures. Each function calls the previous one for
-// smaller texture numbers.
+// Returns GLSL code with a lookup function for each inflow texture. Each function calls the
+// previous one for smaller texture numbers.
 std::string MakeInflow(const SurfacePaintTextures& paints)
 {
   std::string before = "none";
@@ -71,7 +71,7 @@ FlowShader::FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
   const bool hasDetail = parts.DetailDimensions > 0;
   const bool hasGate = mapper.GetTimeGate() != nullptr;
   this->HasTimes = hasGate || parts.DetailDimensions == 3;
-  // The slice mapper provides these features for slices.
+  // Features that are added only for ray casting are provided by the slice mapper for slices.
   const bool isRayCasting = !parts.IsMedium;
   add(isRayCasting && view.IsParallel, "PARALLEL");
   add(isRayCasting && parts.HasOpaqueDepth, "OPAQUE");

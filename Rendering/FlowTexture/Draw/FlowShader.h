@@ -29,13 +29,13 @@ public:
     bool HasSplitCells = false;
     bool HasSeamCells = false;
     bool HasEmptyCells = false;
-    /// If true, OpenGL is a software implementation, which interpolates floating-point textures in
+    /// If true, OpenGL is implemented in software, which interpolates floating-point textures in
     /// full precision.
     bool IsSoftware = false;
     /// Number of dimensions of the detail texture, 2 or 3, or 0 if there is no detail texture.
     int DetailDimensions = 0;
     bool HasTransfer = false;
-    /// If true, the volume is shaded, by vectors or by a gradient.
+    /// If true, the volume is shaded, either like lines along vectors or by a gradient.
     bool IsShaded = false;
     bool IsShadedByVectors = false;
     int Lights = 0;
@@ -43,7 +43,7 @@ public:
     bool IsMedium = false;
   };
 
-  /// Number of columns of textures that store functions.
+  /// Number of columns of the textures that tabulate the time gate and the opacity function.
   static constexpr int Columns = 1024;
 
   FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,

@@ -25,7 +25,7 @@
 namespace interlume
 {
 
-/// The textured flow of the current frame.
+/// The textured flow of the current frame, as a medium for the slice mapper.
 class FlowSlices::Medium : public vtkSliceMedium
 {
 public:
@@ -57,7 +57,8 @@ FlowSlices::FlowSlices()
   this->Mapper->SetMedium(this->Painted);
   this->Mapper->AutoAdjustSampleDistancesOff();
   this->Volume->SetMapper(this->Mapper);
-  // Use a ramp: with a step, the slice mapper would search for sharp surfaces in slabs.
+  // Use a ramp. With a step, the slice mapper would search the slabs between slices for sharp
+  // surfaces.
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
   opacity->AddPoint(1.0, 0.5);

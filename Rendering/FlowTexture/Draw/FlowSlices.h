@@ -36,8 +36,8 @@ public:
   /// Returns true if a light of the renderer is switched on and has ShadowAttenuation above 0.
   static bool HasShadowLight(vtkRenderer* renderer);
 
-  /// Draws a frame whose textures are uploaded. Returns the errors and warnings of the slice
-  /// mapper.
+  /// Draws a frame. The textures must already be uploaded. Returns the errors and warnings of the
+  /// slice mapper.
   Error Draw(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures);
 
   void ReleaseGraphicsResources(vtkWindow* window);

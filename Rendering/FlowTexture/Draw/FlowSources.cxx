@@ -112,7 +112,7 @@ void UpdatePaints(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& te
   const auto update = [&](const std::string& name, const std::string& title, vtkImageData* image,
                         int dimensions, bool isRepeated, int& count)
   {
-    // The stamp includes TextureFilter, because mipmaps are part of the texture.
+    // Include TextureFilter in the stamp, because it determines whether the texture has mipmaps.
     textures.Update(
       name, title, dimensions == 3,
       { image, 2 * image->GetMTime() + (mapper.GetTextureFilter() ? 1 : 0), {} },

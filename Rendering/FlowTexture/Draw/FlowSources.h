@@ -12,14 +12,14 @@ struct FlowRenderPass;
 struct FlowRenderState;
 
 /**
- * Uploads the arrays, images and functions that the shaders of a frame use.
+ * Uploads the data arrays, images and transfer functions that the shaders of a frame use.
  */
 namespace FlowSources
 {
 /**
- * Updates the textures of a frame and releases all others. Sets sizes and ranges in \a pass, and
- * upload counts in its report. Returns an error if a texture cannot be created, or if there are too
- * many textures or they are too large.
+ * Updates the textures of a frame and releases all others. Sets the size of the detail texture, the
+ * range of the opacity transfer function and the upload counts in \a pass. Returns an error if a
+ * texture cannot be created, or if there are too many textures or they are too large.
  */
 Error Update(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& textures);
 }

@@ -14,8 +14,8 @@ namespace interlume
 
 namespace
 {
-/// Creates the texture object, or recreates it if its number of dimensions changed, because neither
-/// OpenGL nor VTK's cached parameters allow a change of the target.
+/// Creates the texture object. Recreates it if its number of dimensions has changed, because the
+/// target of a texture object cannot change.
 void MakeObject(
   vtkSmartPointer<vtkTextureObject>& object, unsigned int target, vtkOpenGLRenderWindow* window)
 {

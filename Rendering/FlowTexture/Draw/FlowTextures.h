@@ -24,7 +24,7 @@ namespace interlume
 
 /**
  * @class   FlowTextures
- * @brief   textures by their names in the shader, uploaded only if their source has changed
+ * @brief   stores textures by sampler name and uploads a texture only if its source has changed
  */
 class FlowTextures
 {
@@ -39,13 +39,14 @@ public:
     const void* Values = nullptr;
     /// Set if the contents are not available.
     interlume::Error Error;
-    /// If true: linear interpolation, repetition outside 0 ... 1, and mipmaps.
+    /// Whether to interpolate linearly, to repeat outside [0, 1], and to use mipmaps.
     bool IsSmooth = false;
     bool IsRepeated = false;
     bool HasLevels = false;
   };
 
-  /// Identifies a state of a source: owner, modification time or version, and size or range.
+  /// Identifies the contents of a texture by the object that provides them, its modification time
+  /// or version, and a size or range.
   struct Stamp
   {
     const void* Owner = nullptr;

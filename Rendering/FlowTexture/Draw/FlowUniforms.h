@@ -12,7 +12,7 @@ struct FlowRenderState;
 
 /**
  * @class   FlowUniforms
- * @brief   sets the uniforms of the shaders
+ * @brief   sets the uniforms of the shaders that draw an implicit flow field
  */
 class FlowUniforms
 {

@@ -49,8 +49,8 @@ Error FlowViewRays::Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4
   }
   this->Spacing = std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
   this->Diagonal = glm::length(axes * this->BoxUpper);
-  // Move the world's origin to the volume's center first, to keep precision for a volume far from
-  // the origin.
+  // Compute relative to the volume's center, to keep precision if the volume is far from the world
+  // origin.
   const glm::dvec3 centerVoxel = 0.5 * this->BoxUpper;
   const glm::dvec3 center = glm::dvec3(this->WorldFromVoxels * glm::dvec4(centerVoxel, 1.0));
   glm::dmat4 fromCenter(1.0);
@@ -92,7 +92,8 @@ void FlowViewRays::SetRays(
   }
   else
   {
-    // Homogeneous points on a view ray differ by multiples of `inward`, the camera position.
+    // `inward` is the camera position in homogeneous coordinates. Points on a view ray differ by
+    // multiples of it.
     const glm::dvec3 eye = glm::dvec3(inward) / inward.w;
     const auto direct = [&eye](const glm::dvec4& point)
     { return glm::dvec3(point) - eye * point.w; };

@@ -25,7 +25,7 @@ struct FlowVolumeRenderReport
   int SurfacesWithoutTexture = 0;
   /// UniformCells: cells whose corners all reached the same surface. SplitCells: cells at a border
   /// between surfaces, at a seam, or with some corners that reached no surface. EmptyCells: cells
-  /// without a corner that reached a surface. Few cells are at a seam, see UnwrappedParameters.
+  /// without a corner that reached a surface. UnwrappedParameters describes seams.
   vtkIdType UniformCells = 0;
   vtkIdType SplitCells = 0;
   vtkIdType EmptyCells = 0;
@@ -43,16 +43,16 @@ struct FlowVolumeRenderReport
   int TransferUploads = 0;
   int ArrayUploads = 0;
   vtkIdType UploadedBytes = 0;
-  /// Number of textures, size of the textures, and size of the image buffers.
+  /// Number of textures, and memory of the textures and of the image buffers in bytes.
   int Textures = 0;
   vtkIdType TextureBytes = 0;
   vtkIdType ImageBufferBytes = 0;
   /// Number of ray casting passes: 1, or 0 with slices. The pass that displays the result is not
   /// counted.
   int Passes = 0;
-  /// With shadows: number of lights with shadows, of sweeps and of slices, slice spacing in world
-  /// units, number of light buffers, number of columns and rows of the largest buffer, and size of
-  /// all buffers. Otherwise 0.
+  /// With shadows: number of lights that cast shadows, number of sweeps, number of slices, slice
+  /// spacing in world units, number of light buffers, number of columns and rows of the largest
+  /// light buffer, and memory of all light buffers in bytes. Otherwise 0.
   int ShadowedLights = 0;
   int Sweeps = 0;
   int Slices = 0;
@@ -64,10 +64,10 @@ struct FlowVolumeRenderReport
   double SampleDistance = 0.0;
   /// Number of viewport pixels per rendered pixel, in x and in y.
   double ImageSampleDistance = 1.0;
-  /// Time in seconds until all commands of this frame are sent to the GPU.
+  /// Seconds from the start of the frame until all of its commands are sent to the GPU.
   double Seconds = 0.0;
 
-  /// Replaces all values of a report.
+  /// Replaces the contents of \a report with these values.
   void CopyTo(vtkInterlumeReport* report) const;
 };
 

@@ -20,7 +20,7 @@ class FlowSlices;
 
 /**
  * @class   FlowVolumeRenderer
- * @brief   updates the changed data of an implicit flow field and draws a frame
+ * @brief   draws frames of an implicit flow field, updating only the data that have changed
  */
 class FlowVolumeRenderer
 {

@@ -31,7 +31,7 @@ public:
 
   struct Paint
   {
-    /// The id, or `all`.
+    /// The first surface id that the image is set for, or `all`.
     std::string Name;
     vtkImageData* Image = nullptr;
     /// Number of texels along u and v.
@@ -42,13 +42,13 @@ public:
   void Assign(const Images& images, const FlowGrid& grid);
 
   std::vector<Paint> Paints;
-  /// Four numbers per label, including label 0: number of the image, periodicity of u, periodicity
-  /// of v, and 0.
+  /// Four values per label, including label 0: image number, periodicity of u, periodicity of v,
+  /// and 0.
   std::vector<float> Surfaces;
   /// Incremented when Surfaces changes.
   vtkMTimeType Version = 0;
   int WithoutTexture = 0;
-  /// If true, all labels except 0 have the same numbers in Surfaces.
+  /// Whether all labels except 0 have the same values in Surfaces.
   bool IsUniform = true;
 };
 

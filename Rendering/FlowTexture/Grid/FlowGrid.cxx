@@ -186,8 +186,7 @@ unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
   for (const vtkIdType corner : corners)
   {
     isUniform = isUniform && this->Groups[corner] / NumberOfSides == label;
-    // Corners are on different sides if the surface separates them. A corner on the surface has no
-    // side.
+    // Only AWAY corners have a side: their streamlines first recede from the surface.
     isSplitBySides = isSplitBySides ||
       this->Groups[corner] % NumberOfSides != this->Groups[corners[0]] % NumberOfSides;
     for (int i = 0; i < 2; ++i)
@@ -202,8 +201,8 @@ unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
   }
   if (isSplitBySides)
   {
-    // Next to the surface, some corners may have a side and others none, with similar times. The
-    // surface passes through the cell only if the times of the two groups differ strongly.
+    // In a cell that the surface crosses, the times of corners with and without a side differ
+    // strongly. In neighboring cells, they are similar.
     float nearest = VTK_FLOAT_MAX;
     float farthest = 0.0F;
     for (const vtkIdType corner : corners)

@@ -41,7 +41,8 @@ public:
     SEAM = 4096,
     EMPTY = 8192
   };
-  /// Factor of the labels in Groups. The side is added: 1 or 2 for an AWAY voxel, otherwise 0.
+  /// A value in Groups is a label times NumberOfSides, plus the side: 1 or 2 for an AWAY voxel,
+  /// otherwise 0.
   static constexpr int NumberOfSides = 3;
 
   /// Periodicity of u and v.
@@ -64,9 +65,9 @@ public:
   std::vector<float> Parameters;
   /// Advection time per voxel, or 0 if there is no label.
   std::vector<float> Times;
-  /// Two values per cell: the kind, and the code of an upper bound of the slopes of u and v. The
-  /// code is odd if the kind of the cell and of all its neighbors is the same label. Along each
-  /// axis, there is one fewer cell than voxels.
+  /// Two values per cell: its kind, and a code for an upper bound of the slopes of u and v, see
+  /// GetSlopeCode. The code is odd if the cell and all its neighbors have the same label as their
+  /// kind. Along each axis, there is one cell fewer than there are voxels.
   std::vector<unsigned short> Cells;
   /// Returns the smallest even code for a slope (the length of a gradient in voxel coordinates). A
   /// code represents slopes up to 2^(code / 256 - 128); codes 0 and 1 represent 0.

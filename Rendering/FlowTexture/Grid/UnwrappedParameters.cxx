@@ -14,9 +14,9 @@ namespace interlume
 
 namespace
 {
-// Queue of voxels whose neighbors are to be visited. Voxels are ordered by their difference from
-// the voxel from which they were reached, in a fixed number of levels. Within a level they remain
-// in order of insertion.
+// Queue of voxels whose neighbors are to be visited. The priority of a voxel is the difference
+// between its coordinate and that of the neighbor from which it was reached, quantized to a few
+// levels. Within a level, voxels remain in order of insertion.
 class VoxelQueue
 {
 public:

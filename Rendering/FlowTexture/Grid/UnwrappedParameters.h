@@ -21,8 +21,7 @@ class FlowGrid;
 class UnwrappedParameters
 {
 public:
-  /// Changes the surface coordinates of a grid with known ids, periods and groups. The order of
-  /// voxels does not depend on the number of threads.
+  /// Changes the surface coordinates of a grid whose ids, periods and groups are set.
   static void Apply(FlowGrid& grid);
 };
 

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   StripePyramid
- * @brief   levels of a one-dimensional texture of stripes, without averaging between levels
+ * @brief   mipmap levels of a one-dimensional stripe texture, not averaged from finer levels
  *
  * Level k has NumberOfLines / 2^k periods of TexelsPerLine texels; the last level has one period.
  * Lines are centered at the ends of periods, so each line of a level lies over a line of the next

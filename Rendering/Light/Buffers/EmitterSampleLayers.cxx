@@ -38,8 +38,8 @@ std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, const LayerBatches
     -(sweep.First + slab * sweep.Spacing) } };
 }
 
-// Returns the matrix from homogeneous coordinates (x, y, 1) in a view of a plane to the vector from
-// that point of the plane to a light. \a points is the result of PlaneView::GetPoints.
+// Returns the matrix that maps a point (x, y, 1) in a view of a plane to the vector from the
+// corresponding point of the plane to a light. \a points is the result of PlaneView::GetPoints.
 glm::mat3 GetLightVectors(const glm::dmat3x4& points, const glm::dvec4& light)
 {
   glm::dmat3 vectors;

@@ -67,7 +67,7 @@ public:
 
   /// Returns the number of columns and rows of a layer.
   static int GetLayerSize(const SlicePlan::ShadowedLight& light);
-  /// Returns the number of texels of all layers and batches, without the light buffer.
+  /// Returns the number of texels of all layers and batches, excluding the light buffer.
   static vtkIdType GetTexels(const SlicePlan::ShadowedLight& light);
 
   /**
@@ -86,7 +86,7 @@ public:
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
   /// Returns the number of columns and rows of a layer.
   int GetLayerSize() const { return this->LayerSize; }
-  /// Returns all layers in the order of the samples.
+  /// Returns the stacks of layers, in the order of the samples.
   const std::vector<std::unique_ptr<Stack>>& GetStacks() const { return this->Stacks; }
   vtkIdType GetBytes() const { return this->Bytes; }
 
@@ -96,7 +96,7 @@ public:
    */
   bool Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int slab, int& passes);
 
-  /// Multiplies all pending batches into the layers. Returns the number of passes over layers.
+  /// Multiplies all pending batches into the layers. Returns the number of passes drawn.
   int Finish(vtkOpenGLRenderWindow* window);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -114,12 +114,12 @@ private:
     vtkOpenGLRenderWindow* window, const SlicePlan::ShadowedLight& light, int channels);
   Error Compile(vtkOpenGLRenderWindow* window, int channels);
   void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
-  /// Multiplies a batch into the layers and clears it.
+  /// Multiplies a batch into the layers and clears it. Returns the number of passes drawn.
   int FillLayers(vtkOpenGLRenderWindow* window, Batch& batch);
   /// Draws into \a buffer the product of the pending batches and the mean of the layers, as seen in
-  /// the middle plane of batch \a number.
+  /// the middle plane of batch \a number. Returns the number of passes drawn.
   int DrawMean(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int number);
-  /// Draws the tiles of batch \a number, textured by \a map, into a square of \a target.
+  /// Draws the tiles of batch \a number, textured with \a map, into the current viewport.
   void DrawTiles(vtkOpenGLRenderWindow* window, SlicePass& pass, vtkTextureObject* map,
     const glm::dmat3& targetFromBuffer, int number);
   void Bind(vtkOpenGLRenderWindow* window, vtkTextureObject* target);
@@ -140,7 +140,7 @@ private:
   bool HasLayers = false;
   LayerBatches Plan;
   vtkNew<vtkOpenGLBufferObject> Tiles;
-  /// Mean of the layers, with as many texels as one layer.
+  /// Weighted mean of the layers, at the resolution of one layer.
   vtkNew<vtkTextureObject> Sum;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   SlicePass Fill;

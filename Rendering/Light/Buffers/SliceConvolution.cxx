@@ -25,8 +25,8 @@ namespace
 // Penumbra width, in texels, above which the buffer is convolved.
 constexpr double MinimumWidth = 2.0;
 
-// Returns the extent of the virtual light's penumbra in the plane at \a height, from an occluder at
-// \a last, along both axes of the buffer, in texels.
+// Returns the width of the penumbra that an occluder in the plane at \a last casts on the plane at
+// \a height, in texels along each axis of the buffer.
 std::array<double, 2> GetWidths(const LightSource& source, const SlicePlan::ShadowedLight& light,
   const glm::dvec3& normal, double last, double height)
 {
@@ -102,7 +102,7 @@ int SliceConvolution::Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buf
     this->Slab = slab;
   }
   int passes = 0;
-  // Shadows also widen through empty slabs.
+  // Penumbras also widen in empty slabs.
   for (; this->Slab < slab; ++this->Slab)
   {
     passes += this->Widen(window, buffer, getHeight(this->Slab + 1));
@@ -142,7 +142,7 @@ void SliceConvolution::Convolve(
   state->vtkglBlendFunc(GL_ONE, GL_ZERO);
   vtkShaderProgram* program = this->Quad->Program;
   window->GetShaderCache()->ReadyShaderProgram(program);
-  // The light buffer keeps its texture unit for the whole sweep.
+  // Do not deactivate an active light buffer: it keeps its texture unit for the whole sweep.
   const bool wasActive = buffer->GetTextureUnit() >= 0;
   buffer->Activate();
   const int direction[2] = { axis == 0 ? 1 : 0, axis == 0 ? 0 : 1 };

@@ -80,8 +80,9 @@ Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState&
   const float start = light.IsWide ? 0.0f : 1.0f;
   window->GetState()->vtkglClearColor(start, start, start, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  // A layer must end far enough in front of a surface that lookups this many texels from a position
-  // are not darkened by the surface itself, for light at up to 60 degrees from the normal.
+  // At a point on a surface, lookups in the layer up to this many texels away must not be darkened
+  // by the surface itself, for light at up to 60 degrees from the normal. The layer must therefore
+  // end far enough in front of the surface.
   constexpr double texels = 1.5;
   constexpr double maximum = 64.0;
   this->Period = static_cast<int>(

@@ -72,7 +72,7 @@ public:
     const std::vector<const SlicePolygons*>& polygons);
 
   /// Prepares a volume's program if the volume has triangles. Call Prepare first. Returns an error
-  /// as Prepare does.
+  /// if the GPU runs out of memory or the program cannot be compiled.
   Error PrepareVolume(vtkOpenGLRenderWindow* window, std::size_t volume, VolumeSlices& slices);
 
   ///@{
@@ -103,8 +103,8 @@ public:
   /// whenever it updates the buffer.
   void MarkOccluded(vtkOpenGLRenderWindow* window);
 
-  /// Reads the \a size x \a size texels of the buffer and sets \a size and \a channels. Returns an
-  /// empty vector for a wide light or an unused buffer.
+  /// Returns the texels of the buffer. Sets \a size, the number of columns and rows, and \a
+  /// channels. Returns an empty vector for a wide light or an unused buffer.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -114,7 +114,7 @@ private:
   struct Volume
   {
     SlicePass Slices;
-    /// Tiles that replace the triangles of the slices, for a wide light and for other lights.
+    /// Tiles that replace the triangles of the slices: WideTiles for a wide light, otherwise Tiles.
     LightTiles WideTiles;
     PlaneTiles Tiles;
     bool HasTiles = false;

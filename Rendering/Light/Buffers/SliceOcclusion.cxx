@@ -69,7 +69,7 @@ void SliceOcclusion::Mark(
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   state->vtkglViewport(
     0, 0, static_cast<GLsizei>(buffer->GetWidth()), static_cast<GLsizei>(buffer->GetHeight()));
-  // The light buffer keeps its texture unit for the whole sweep.
+  // Do not deactivate an active light buffer: it keeps its texture unit for the whole sweep.
   const bool wasActive = buffer->GetTextureUnit() >= 0;
   buffer->Activate();
   this->Quad->Program->SetUniformi("slices", buffer->GetTextureUnit());

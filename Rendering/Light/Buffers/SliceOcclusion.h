@@ -40,8 +40,7 @@ public:
     OPACITY,
     /// Transmittance: a light buffer.
     TRANSMITTANCE,
-    /// Optical depth times the cosine between ray and normal, in a half space: a wide light's
-    /// buffer.
+    /// Optical depth times the cosine between ray and normal: the buffer of a wide light.
     DEPTH
   };
 
@@ -50,7 +49,7 @@ public:
 
   /// Resizes the depth buffer to the framebuffer's size, attaches it to \a framebuffer and binds
   /// that framebuffer. If \a hasDepths is true, slices write one depth per slab. \a hasDepths must
-  /// not change between calls. Returns the bytes of the depth buffer.
+  /// not change between calls. Returns the size of the depth buffer in bytes.
   vtkIdType Prepare(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     int width, int height, bool hasDepths);
 

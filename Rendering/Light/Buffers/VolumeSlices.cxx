@@ -19,8 +19,8 @@ namespace interlume
 
 namespace
 {
-// Smallest cosine between the slice normal and view or light rays for which blocks at the volume's
-// boundary are enlarged.
+// GetMargin is large enough for view and light rays whose cosine with the slice normal is at least
+// this.
 constexpr double MINIMUM_COSINE = 0.35;
 }
 

@@ -44,12 +44,13 @@ public:
   const VolumeRenderState& GetFrame() const { return *this->Frame; }
   SliceTextures& GetTextures() { return *this->Textures; }
 
-  /// Returns the margin around blocks at the volume's boundary. With this margin, view and light
-  /// rays that enter a slab just outside the plane's cut through the box still intersect the
-  /// blocks.
+  /// Returns the length by which blocks at the volume's boundary are enlarged, in unit space. The
+  /// enlarged blocks cover view and light rays that pass through the volume in a slab but miss its
+  /// cross section with the slab's middle plane.
   static double GetMargin(const SlicePlan::Sweep& sweep);
 
-  /// Cuts the slices of a sweep and uploads their triangles. Returns the bytes of the triangles.
+  /// Cuts the slices of a sweep and uploads their triangles. Returns the size of the triangles in
+  /// bytes.
   vtkIdType Cut(const SlicePlan::Sweep& sweep);
   bool IsEmpty(int slab) const { return this->Polygons.IsEmpty(slab); }
   bool IsEmpty() const { return this->Polygons.GetVertices().empty(); }

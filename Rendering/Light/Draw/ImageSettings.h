@@ -29,7 +29,7 @@ struct ImageSettings
   bool AutoAdjustSampleDistances = true;
   int NumberOfLightSamples = 1;
   int SoftShadowMethod = vtkShadowedSliceSettings::SAMPLED_LIGHTS;
-  /// Size of light buffers in texels, or 0 if any volume requests an automatic size.
+  /// Number of columns and rows of light buffers, or 0 if any volume requests an automatic size.
   /// MinimumBufferSize is then a lower bound.
   int LightBufferSize = std::numeric_limits<int>::max();
   int MinimumBufferSize = 0;

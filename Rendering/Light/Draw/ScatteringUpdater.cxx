@@ -26,7 +26,7 @@ using Settings = vtkShadowedSliceSettings;
 
 namespace
 {
-// Automatic number of cells along the longest edge.
+// Default number of grid cells along a volume's longest edge.
 constexpr int AutomaticCells = 32;
 // A key that differs from every valid key.
 const std::vector<double> NoKey{ -1.0 };
@@ -71,7 +71,7 @@ bool Scatters(const VolumeRenderState& frame)
   return frame.Scattering.Mode >= Settings::FORWARD_SCATTERING;
 }
 
-// Returns an object's address as a key.
+// Returns an object's address as a component of a key.
 double GetAddress(const void* object)
 {
   return static_cast<double>(reinterpret_cast<std::uintptr_t>(object));

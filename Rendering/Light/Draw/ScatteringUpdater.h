@@ -75,7 +75,8 @@ private:
   vtkMTimeType TableTime = 0;
   /// Inputs of the scattered light.
   std::vector<double> Key;
-  /// The medium on a grid and its inputs. The grid is reused if only lights change.
+  /// The medium, sampled on a grid, and the inputs of the grid. The grid is reused if only lights
+  /// change.
   ExtinctionGrid Grid;
   bool HasGrid = false;
   std::vector<double> GridKey;

@@ -21,7 +21,7 @@ namespace interlume
 
 namespace
 {
-// Factors of automatic spacings that ChooseCoarseness selects from.
+// Values that ChooseCoarseness may return.
 constexpr std::array<double, 5> COARSENESS_FACTORS{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
 // Light buffer columns per voxel for a custom medium, whose edges can be sharper than voxels. With
 // fewer columns, stripes appear along these edges.
@@ -57,8 +57,8 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   {
     constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
       "SampledLights" } };
-    // Surfaces of a scene attenuate an area light as a whole. With a separate light per sample,
-    // the mean over all samples would attenuate each of them. Sample layers avoid this.
+    // Surfaces of a scene attenuate an area light by their mean over its samples. If each sample
+    // were a separate light, each would be attenuated by this mean. Sample layers avoid this.
     const bool isOfLayers =
       image.Scene != nullptr && shared.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
     const int method = isOfLayers ? static_cast<int>(vtkShadowedSliceSettings::SAMPLE_LAYERS)
@@ -122,8 +122,8 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
 
 double SlicePlanner::ChooseCoarseness(double seconds, double lastCoarseness, double allocated)
 {
-  // Rendering time is proportional to the number of slices and to the number of pixels along each
-  // edge of the image.
+  // Rendering time is proportional to the number of slices and to the width and height of the
+  // image. All three are inversely proportional to the coarseness.
   const double full = seconds * std::pow(lastCoarseness, 3.0);
   for (const double coarseness : COARSENESS_FACTORS)
   {

@@ -23,15 +23,15 @@ struct VolumeRenderState;
 class SlicePlanner
 {
 public:
-  /// Automatic slice spacing along the normal, in voxels.
+  /// Automatic slice spacing, in voxels.
   static constexpr double AutomaticSpacing = 0.5;
 
   using States = std::vector<const VolumeRenderState*>;
 
   /**
-   * Plans the slices of \a volumes for \a image, whose camera, lights and scene must be set. Area
-   * lights without soft-shadow buffers are replaced by one light per sample. \a coarseness
-   * multiplies automatic spacings.
+   * Plans the slices of \a volumes for \a image, whose camera, lights and scene must be set. With
+   * the soft-shadow method SAMPLED_LIGHTS and no scene, each area light with shadows is replaced by
+   * one light per sample. \a coarseness multiplies automatic slice spacings.
    */
   static void Make(ImageState& image, const States& states,
     const std::vector<SlicePlan::SlicedVolume>& volumes, const ImageSettings& shared,

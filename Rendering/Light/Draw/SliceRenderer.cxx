@@ -31,8 +31,8 @@ namespace interlume
 
 namespace
 {
-// Maximum ratio of the number of slices for rendering volumes together to the number for rendering
-// them separately.
+// Maximum ratio of the number of slices needed to render volumes together to the number needed to
+// render them separately.
 constexpr double MAXIMUM_SLICE_RATIO = 8.0;
 
 std::array<double, 6> GetBounds(const VolumeResources* volume)
@@ -70,7 +70,7 @@ SlicePlan::Camera FindCamera(vtkRenderer* renderer, const UnitSpace& space)
   return eye;
 }
 
-// Returns the clipping plane w + sign * z >= 0 of clip coordinates, in unit space.
+// Returns the near (sign 1) or far (sign -1) clipping plane in unit space.
 ImageState::ViewPlane MakeViewPlane(const glm::dmat4& clipFromUnit, double sign)
 {
   const glm::dvec4 plane = glm::row(clipFromUnit, 3) + sign * glm::row(clipFromUnit, 2);
@@ -215,7 +215,7 @@ bool SliceRenderer::HasTooManySlices(
       together += extent / sweep.Spacing;
       finest = std::min(finest, spacing);
     }
-    // The maximum number of slabs can make slabs thicker than requested.
+    // The limit on the number of slabs can make slabs thicker than requested.
     if (together > MAXIMUM_SLICE_RATIO * separate || sweep.Spacing > 1.01 * finest)
     {
       return true;

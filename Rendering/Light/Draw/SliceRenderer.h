@@ -31,10 +31,10 @@ struct VolumeRenderState;
  * @class   SliceRenderer
  * @brief   renders one or more volumes in one shared set of slices
  *
- * Several volumes are moved to one unit space. They share the slice plan, the image and one buffer
- * per light. Each volume has its own samples, blocks, transfer functions, textures and programs.
- * Shared settings are documented in vtkShadowedScenePass.h. Volumes are sorted by their bounds, so
- * that the image does not depend on the order in which they are passed.
+ * Multiple volumes share one unit space, the slice plan, the image and one buffer per light. Each
+ * volume has its own samples, blocks, transfer functions, textures and programs. Shared settings
+ * are documented in vtkShadowedScenePass.h. Volumes are sorted by their bounds, so that the image
+ * does not depend on the order in which they are passed.
  */
 class SliceRenderer
 {
@@ -45,9 +45,9 @@ public:
   using Volumes = std::vector<VolumeResources*>;
 
   /**
-   * Renders \a volumes, whose requests are set, and sets their results. If \a scene is not null,
-   * the volumes are a part of it. Volumes with errors are skipped. Returns an error if the
-   * remaining volumes cannot be rendered together; the last image is then retained.
+   * Renders \a volumes and sets their results. Their requests must be set. If \a scene is not null,
+   * the volumes are part of it. Volumes with errors are skipped. Returns an error if the remaining
+   * volumes cannot be rendered together; the last image is then retained.
    */
   Error Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene);
 
@@ -61,7 +61,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// Updates the volumes, sorts those without errors and moves them to one unit space.
+  /// Updates the volumes, sorts those without errors and transforms them to one unit space.
   Volumes UpdateVolumes(vtkOpenGLRenderWindow* window, const Volumes& volumes);
   void MoveToSharedSpace(const Volumes& volumes);
   double ChooseCoarseness(const Volumes& volumes) const;

@@ -33,8 +33,9 @@ namespace
 {
 constexpr int Columns = 1024;
 
-// Computes the transmitted fractions of a light on the GPU, one pixel per cell. Returns an empty
-// array on failure.
+// Computes on the GPU, one pixel per cell, the fraction of a light that surfaces transmit to each
+// cell. The argument fraction is the GLSL expression to evaluate. Returns an empty array on
+// failure.
 std::vector<float> DrawFractions(vtkOpenGLRenderWindow* window, const SliceScene& scene,
   const ExtinctionGrid& grid, const glm::dmat4& worldFromUnit, const std::string& fraction)
 {

@@ -21,11 +21,11 @@ struct SliceScene;
 
 /**
  * @class   SurfaceOcclusionGrid
- * @brief   computes the occlusion of light by surfaces of a scene in the cells of a grid
+ * @brief   computes the fraction of light that surfaces of a scene transmit to each cell of a grid
  *
- * The transmitted fraction of each light is evaluated with the shadow maps and shader functions
- * that slices use, for opaque and translucent surfaces. Cells that opaque surfaces intersect
- * absorb scattered light.
+ * The transmitted fraction of each light is evaluated with the same shadow maps and shader
+ * functions as for slices, for opaque and translucent surfaces. Cells that opaque surfaces
+ * intersect absorb scattered light.
  */
 class SurfaceOcclusionGrid
 {
@@ -38,9 +38,9 @@ public:
   static void Block(const SliceScene& scene, const glm::dmat4& worldFromUnit, ExtinctionGrid& grid);
 
   /**
-   * Computes the transmitted fractions: for each light, a value per cell, or an empty list if no
-   * surface blocks the light. Call this only if GetTime(&scene) is above 0. Returns an error if
-   * drawing fails.
+   * Computes \a transmitted: for each light, the transmitted fraction in each cell, or an empty
+   * list if no surface blocks the light. Call this only if GetTime(&scene) is above 0. Returns an
+   * error if drawing fails.
    */
   static Error Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,
     const ExtinctionGrid& grid, const glm::dmat4& worldFromUnit,

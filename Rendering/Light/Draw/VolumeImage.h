@@ -24,35 +24,36 @@ struct SliceScene;
  * @brief   the rendered image of a mapper's volume, alone or together with other volumes
  *
  * Without a scene, the mapper renders and shows the image immediately. vtkShadowedScenePass renders
- * the image as a part of a scene before it calls the mapper, which then only shows it.
+ * the image as part of a scene before it calls the mapper, which then only shows it.
  */
 class VolumeImage
 {
 public:
-  /// Begins an image, or reports the \a error of an invalid request. If the request has no scalars,
-  /// nothing is rendered.
+  /// Begins an image. If \a error is set, the request is invalid and the image reports the error.
+  /// If the request has no scalars, nothing is rendered.
   void Begin(const VolumeResources::Request& request, const Error& error);
 
-  /// Renders the volume separately, as a part of \a scene unless that is null.
+  /// Renders the volume separately. If \a scene is not null, the volume is part of it.
   void Draw(vtkRenderer* renderer, SliceScene* scene);
 
   /**
-   * Renders all volumes that have no errors as a part of \a scene, with the renderer \a together,
-   * if there are at least two. Returns an error if that fails.
+   * Renders all volumes without errors in one image, as part of \a scene, using the renderer \a
+   * together. Does nothing if there are fewer than two such volumes. Returns an error if rendering
+   * fails.
    */
   static Error DrawTogether(vtkRenderer* renderer, const std::vector<VolumeImage*>& images,
     const std::shared_ptr<SliceRenderer>& together, SliceScene& scene);
 
-  /// Returns true, until End is called, if the image is a part of a scene.
+  /// Returns true if the image is part of a scene and End has not been called yet.
   bool IsInScene() const { return this->Scene != nullptr; }
-  /// Returns true if the volume was rendered together with other volumes.
+  /// Returns true if the last image was rendered together with other volumes.
   bool IsTogether() const { return this->Together != nullptr; }
 
   /// Finishes the image after Draw, or after the entire scene has been rendered, and updates the
   /// mapper's report.
   void End();
 
-  /// Returns true if there is a volume or an error.
+  /// Returns true if there is something to render or an error to report.
   bool HasContents() const { return this->IsValid() || this->GetResult().Error; }
 
   /// Composites the image over the bound framebuffer.

@@ -61,7 +61,7 @@ std::vector<double> MakeKey(vtkVolumeProperty* property, int components,
     {
       color = property->GetGrayTransferFunction(row);
     }
-    // Querying a missing or disabled function would create one.
+    // GetGradientOpacity would create a function if it is missing or disabled.
     const bool hasGradient =
       property->HasGradientOpacity(row) && property->GetDisableGradientOpacity(row) == 0;
     vtkObject* gradient = hasGradient ? property->GetGradientOpacity(row) : nullptr;

@@ -31,7 +31,7 @@ class SliceTextures;
 
 /**
  * @class   VolumeResources
- * @brief   the data, scattered light and textures of a volume, updated on change
+ * @brief   the data, scattered light and textures of a volume, updated when their inputs change
  */
 class VolumeResources
 {
@@ -54,7 +54,6 @@ public:
   VolumeResources();
   ~VolumeResources();
 
-  /// Results of rendering the volume.
   struct Result
   {
     /// Set if the volume could not be rendered.
@@ -62,8 +61,8 @@ public:
     std::vector<std::string> Warnings;
   };
 
-  /// Begins an image with an empty report. \a error is set if the request is invalid, and becomes
-  /// the error of the result.
+  /// Begins an image with an empty report. \a error, which is set if the request is invalid,
+  /// becomes the error of the result.
   void SetRequest(const Request& request, const Error& error);
   const Request& GetRequest() const { return this->CurrentRequest; }
   const VolumeRenderState& GetState() const { return this->State; }
@@ -73,7 +72,7 @@ public:
 
   ///@{
   /**
-   * Steps of rendering, in this order. Each returns an error on failure.
+   * Steps of rendering, in this order. Steps that can fail return an error on failure.
    * - UpdateData updates samples and material, in the volume's own unit space.
    * - MoveTo moves the volume to a shared unit space.
    * - SetImage adds the volume to an image.
@@ -90,9 +89,7 @@ public:
   Error Upload(vtkOpenGLRenderWindow* window);
   ///@}
 
-  /// Returns this volume as an input of ScatteringUpdater.
   ScatteringUpdater::Volume GetScatteringVolume() const;
-  /// Returns this volume as an input of SlicePlan.
   SlicePlan::SlicedVolume GetSlicedVolume() const;
   SliceTextures& GetTextures(vtkWindow* window);
   vtkIdType GetTextureBytes() const;
@@ -101,7 +98,8 @@ public:
   /// Call Upload first. Returns false if the volume has no multiply scattered light.
   bool AddScatteredLight(vtkOpenGLRenderWindow* window);
 
-  /// Sets the report from values shared by all volumes and from values of this volume.
+  /// Sets the report to \a shared, the values of all volumes, and adds \a features and the other
+  /// values of this volume.
   void SetReport(const SliceReport& shared, const std::string& features);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -116,7 +114,7 @@ private:
   Result Results;
   SliceReport Report;
   VolumeRenderState State;
-  /// Inputs of the samples and the material.
+  /// Inputs from which the samples and the material were last computed, to detect changes.
   vtkDataArray* Scalars = nullptr;
   vtkMTimeType SamplesTime = 0;
   bool IsWidened = false;

@@ -21,14 +21,14 @@ namespace interlume
 
 namespace
 {
-// Maximum number of samples in all cells, and along each axis of one cell.
+// Maximum number of samples in all cells together, and along each axis of a single cell.
 constexpr double MaximumSamples = 4e6;
 constexpr int MaximumSteps = 8;
 
 using Box = std::array<std::array<double, 2>, 3>;
 
-// Finds the box of the visible blocks inside the clip region, in texture coordinates. Returns false
-// if no block is visible.
+// Finds the bounding box of the visible blocks, clipped to the box of the clip region, in texture
+// coordinates. Returns false if no block is visible.
 bool FindBox(const ExtinctionGrid::Volume& volume, Box& box)
 {
   const std::array<int, 3>& size = volume.Blocks.GetSize();
@@ -74,7 +74,8 @@ bool FindBox(const ExtinctionGrid::Volume& volume, Box& box)
   return true;
 }
 
-// Returns the directions of a volume's edges, or the world axes if the edges are oblique.
+// Returns the directions of the edges of a volume's box, or the world axes if the edges are not
+// orthogonal.
 glm::dmat3 FindAxes(const ExtinctionGrid::Volume& volume)
 {
   constexpr double tolerance = 1e-6;
@@ -131,10 +132,11 @@ bool ExtinctionGrid::SetBox(const std::vector<Volume>& volumes)
   this->Axes = FindAxes(seen);
   glm::dvec3 lower(std::numeric_limits<double>::max());
   glm::dvec3 upper(-std::numeric_limits<double>::max());
-  // Shortest edges of a voxel (which limits the useful number of cells) and of a cell.
+  // Shortest voxel edge of all volumes, which determines the number of samples per cell, and
+  // shortest cell edge that any of the volumes would have alone.
   double finest = std::numeric_limits<double>::max();
   double smallest = finest;
-  // Limit for the number of cells along the longest edge.
+  // Maximum number of cells along the longest edge.
   double along = seen.size() > 1 ? MaximumSharedCells : 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i)
   {

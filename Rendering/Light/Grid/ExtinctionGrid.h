@@ -23,30 +23,30 @@ class VolumeSamples;
  * @class   ExtinctionGrid
  * @brief   mean extinction and albedo of volumes in the cells of a box
  *
- * The box encloses the visible blocks of all volumes that scatter, inside the cropping region. It
- * is aligned with the edges of the first of these volumes if the edges are orthogonal and the other
- * volumes' edges are parallel to them. Otherwise it is aligned with the world axes. Its coordinates
- * are rotated unit space coordinates, which all volumes share, relative to the box's lower corner.
- * Extinctions refer to lengths in these coordinates.
+ * The box encloses the visible blocks of all volumes that scatter, clipped to their cropping
+ * regions. It is aligned with the edges of the first of these volumes if those edges are orthogonal
+ * and the other volumes' edges are parallel to them. Otherwise it is aligned with the world axes.
+ * All volumes share one unit space. Box coordinates are unit space coordinates, rotated to the axes
+ * of the box and relative to its lower corner. Extinctions are per unit length in box coordinates.
  *
- * Cells are as close to cubes as integer counts allow. A box thinner than half a cell is enlarged
- * to half a cell. For several volumes, cells are as small as the smallest cells that any of the
- * volumes would have alone. The number of cells along the longest edge is then limited to the
+ * Cells are as close to cubes as integer cell counts allow. A box thinner than half a cell is
+ * enlarged to half a cell. With multiple volumes, cells are as small as the smallest cells that any
+ * of the volumes would have alone, but the number of cells along the longest edge is limited to the
  * larger of MaximumSharedCells and the largest number that a single volume requests.
  *
  * Extinctions of overlapping volumes are added. The medium of a volume that does not scatter only
  * absorbs.
  *
- * A cell has the mean extinction of 2 to 8 samples along each axis, one per voxel if possible.
- * Samples are interpolated and then classified, as in the slices' shader, so that a cell has the
- * same optical depth as the medium inside it. The albedo is the mean weighted by extinction. If the
- * medium has a transmission color, only the part of each color that is not transmitted is
- * scattered.
+ * The extinction of a cell is the mean of 2 to 8 samples along each axis, one per voxel if
+ * possible. Samples are interpolated and then classified, as in the slice shaders, so that a cell
+ * has the same optical depth as the medium inside it. The albedo is the mean weighted by
+ * extinction. If the medium has a transmission color, only the part of each color that is not
+ * transmitted is scattered.
  */
 class ExtinctionGrid
 {
 public:
-  /// Input of the grid.
+  /// A volume to sample.
   struct Volume
   {
     const VolumeSamples& Samples;
@@ -58,17 +58,18 @@ public:
     glm::dvec3 GradientSteps;
     /// Scalar opacity unit distances, one per row of the material table.
     std::array<double, 4> UnitDistances;
-    /// Number of cells along the volume's longest edge. A volume with fewer voxels has fewer cells.
+    /// Requested number of cells along the volume's longest edge. A volume with fewer voxels gets
+    /// fewer cells.
     int Cells;
     bool Scatters;
   };
 
-  /// Default limit for the number of cells along the longest edge of several volumes.
+  /// Default limit for the number of cells along the longest edge of a grid of multiple volumes.
   static constexpr int MaximumSharedCells = 64;
 
   /**
-   * Computes the medium except for its phase function. Returns false if no visible part scatters.
-   * The result does not depend on the number of threads.
+   * Computes the medium except for its phase function. Returns false if no visible part of the
+   * volumes scatters light. The result does not depend on the number of threads.
    */
   bool Build(const std::vector<Volume>& volumes);
 

@@ -18,7 +18,8 @@ namespace interlume
 
 namespace
 {
-// The table column before a value, and the fraction of the distance to the next column.
+// Position of a value in a table: the column before it, and the fraction of the distance to the
+// next column.
 struct Column
 {
   Column(double value, const std::array<double, 2>& range)
@@ -185,7 +186,7 @@ ExtinctionSampler::Sample ExtinctionSampler::Get(const glm::dvec3& position) con
     glm::dvec3 color(values[0], values[1], values[2]);
     if (material.Kind == MaterialTable::RGB_OPACITY)
     {
-      // The scalars of byte arrays range from 0 to 255. The slices' shader reads them as 0 to 1.
+      // The scalars of byte arrays range from 0 to 255. The slice shaders read them as 0 to 1.
       const bool isByte =
         this->Volume.Samples.Scale[0] == 255.0 && this->Volume.Samples.Offset[0] == 0.0;
       color /= isByte ? 255.0 : 1.0;

@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   ExtinctionSampler
- * @brief   evaluates the medium of a volume at a position on the CPU, as the slices' shader does
+ * @brief   evaluates the medium of a volume on the CPU in the same way as the slice shaders
  *
  * Transfer functions are interpolated linearly between the columns of their tables. Breakpoints
  * between columns are ignored.
@@ -29,7 +29,7 @@ public:
     /// Extinction per unit length in unit space.
     double Extinction = 0.0;
     glm::dvec3 Albedo{ 0.0 };
-    /// Color of the transmitted light.
+    /// Transmission color.
     glm::dvec3 Transmission{ 0.0 };
   };
 

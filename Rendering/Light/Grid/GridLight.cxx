@@ -21,7 +21,7 @@ namespace interlume
 
 namespace
 {
-// Unattenuated light from one position or direction in the cells of a grid.
+// The light of a source without extent in the cells of a grid, before attenuation by the medium.
 class GridColor
 {
 public:
@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /// Returns the mean of the unattenuated light over eight octants of a cell.
+  /// Returns the mean of the light at the centers of a cell's eight octants.
   glm::dvec3 Get(const glm::ivec3& cell) const
   {
     if (!this->IsPositional && !this->Light.Projective)
@@ -107,8 +107,7 @@ ScatteringLight GridLight::Make(const ExtinctionGrid& grid, const LightSource& l
   {
     sources = EmitterSamples::Split(sources, { 0 }, samples);
   }
-  // With many samples, one ray per cell is enough if the rays of each sample have a different
-  // offset.
+  // With many samples, one ray per cell face is enough if each sample has a different ray offset.
   const bool hasFewSamples = sources.size() < 4;
   const std::size_t cells = medium.GetNumberOfCells();
   result.Direct.assign(cells, glm::vec3(0.0f));

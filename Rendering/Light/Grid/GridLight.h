@@ -14,11 +14,11 @@ class ExtinctionGrid;
  * @class   GridLight
  * @brief   unscattered light of one source in the cells of a grid
  *
- * The attenuated light is averaged over each cell by CellLight, which traces rays through the
- * cells. Shadows therefore have the resolution of the cells, even for lights inside the volume. The
- * cone, attenuation and screen are evaluated at the centers of a cell's eight octants. An area
- * light is the mean of its samples. The result is multiplied by the strength of the light's
- * shadows.
+ * CellLight computes the mean transmittance of each cell by tracing rays through the cells. Shadows
+ * therefore have the resolution of the cells, even for lights inside the volume. The light's cone,
+ * attenuation with distance and screen are evaluated at the centers of a cell's eight octants. For
+ * an area light, the contributions of its samples are added. The result is multiplied by the
+ * strength of the light's shadows.
  */
 class GridLight
 {

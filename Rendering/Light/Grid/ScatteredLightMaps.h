@@ -18,9 +18,10 @@ class ExtinctionGrid;
  * @class   ScatteredLightMaps
  * @brief   scattered light per grid cell, in the layout of a 3D texture
  *
- * Maps are stacked along z and have one texel per cell: Fluence, NetFlux in the axes of unit space,
- * and Forward of each light. Outside the outermost cell centers, values are clamped. This matches
- * the boundary condition of the solver.
+ * The maps have one texel per cell and are stacked along z: Fluence, NetFlux with components along
+ * the axes of unit space, and a Forward map for each light (see ScatteredLight). Positions outside
+ * the outermost cell centers are clamped to them. This matches the boundary condition of the
+ * solver.
  */
 struct ScatteredLightMaps
 {
@@ -28,9 +29,9 @@ struct ScatteredLightMaps
 
   /// Four floats per texel, the last one 0. Software OpenGL reads four floats faster than three.
   std::vector<float> Texels;
-  /// Number of texels of one map.
+  /// Number of texels along each axis of a map.
   glm::ivec3 Nodes{ 0 };
-  /// Transform from unit space to texel indices.
+  /// Transform from unit space to the texel indices of a map.
   glm::dmat4 NodeFromUnit{ 1.0 };
 };
 

@@ -95,7 +95,7 @@ private:
 void SurfaceVoxelizer::Mark(const std::vector<glm::dvec3>& corners,
   const std::vector<glm::dvec4>& planes, const glm::dmat4& worldFromUnit, ExtinctionGrid& grid)
 {
-  // Distance from the faces of the box, in cells, within which surfaces are ignored.
+  // Surfaces within this distance from the faces of the box, in cells, are ignored.
   constexpr double margin = 1e-6;
   ScatteringMedium& medium = grid.GetMedium();
   const glm::dmat4 unitFromWorld = glm::inverse(worldFromUnit);

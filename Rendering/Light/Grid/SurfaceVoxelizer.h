@@ -26,9 +26,9 @@ class SurfaceVoxelizer
 {
 public:
   /**
-   * Marks cells in ScatteringMedium::Blocked. Allocates that array for the first marked cell. \a
-   * corners and the clipping planes \a planes are in world coordinates, as in PropSurfaces.
-   * Triangles with NaN or infinite coordinates are skipped.
+   * Marks cells in ScatteringMedium::Blocked. Allocates that array when the first cell is marked.
+   * \a corners (three per triangle) and the clipping planes \a planes are in world coordinates, as
+   * in PropSurfaces. Triangles with NaN or infinite coordinates are skipped.
    */
   static void Mark(const std::vector<glm::dvec3>& corners, const std::vector<glm::dvec4>& planes,
     const glm::dmat4& worldFromUnit, ExtinctionGrid& grid);

@@ -20,7 +20,7 @@ double GetBrightness(const glm::dvec3& color)
   return color.r + color.g + color.b;
 }
 
-// Finds the cell where the prefix sums reach \a fraction of their total. Replaces \a fraction by
+// Finds the cell where the prefix sums reach \a fraction of their total. Replaces \a fraction with
 // the corresponding position in the unit interval.
 std::size_t Find(const std::vector<double>& sums, double& fraction)
 {

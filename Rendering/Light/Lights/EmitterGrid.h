@@ -31,12 +31,12 @@ public:
   glm::dvec3 GetColor() const;
 
   /// Moves uniformly distributed points so that their density is proportional to the emitter's
-  /// brightness. Returns their colors, each divided by its brightness. The emitter must not be
-  /// black.
+  /// brightness. Returns the color at each point, divided by the brightness there. The emitter must
+  /// not be black.
   std::vector<glm::dvec3> Warp(std::vector<glm::dvec2>& points) const;
 
-  /// Maps the unit square to the emitter, with coordinates -1/2 to 1/2, and preserves areas. A
-  /// round emitter uses the map of P. Shirley and K. Chiu (1997).
+  /// Maps a point of the unit square to emitter coordinates from -1/2 to 1/2. The map preserves
+  /// ratios of areas. For a round emitter, it is the map of P. Shirley and K. Chiu (1997).
   static glm::dvec2 MapToEmitter(bool isRound, const glm::dvec2& point);
 
 private:

@@ -17,7 +17,7 @@ namespace interlume
 namespace
 {
 
-// Returns the second coordinate of a point of the net, as 32 binary digits.
+// Returns the second coordinate of a point of the net, multiplied by 2^32.
 std::uint32_t GetNetDigits(std::uint32_t index)
 {
   std::uint32_t digits = 0;
@@ -30,7 +30,8 @@ std::uint32_t GetNetDigits(std::uint32_t index)
   return digits;
 }
 
-// Returns points of the unit square, at the centers of their columns and rows.
+// Returns the points of the net in the unit square. Each column and each row of a grid with count
+// columns and rows contains one point, at the center of a cell.
 std::vector<glm::dvec2> MakeNet(int count)
 {
   std::vector<int> rows(static_cast<std::size_t>(count));
@@ -51,7 +52,8 @@ std::vector<glm::dvec2> MakeNet(int count)
 }
 
 // Scales the weights of a channel so that their sum is 1. If all samples are 0 in this channel, the
-// weights are equal. Multiples of 2^-50 add up without rounding errors, in any order.
+// weights are equal. The weights are rounded to multiples of 2^-50, which add up without rounding
+// errors in any order.
 void Normalize(std::vector<EmitterSamples::Sample>& samples, int channel)
 {
   const double unit = std::ldexp(1.0, -50);
@@ -98,7 +100,8 @@ std::vector<EmitterSamples::Sample> EmitterSamples::Make(
   }
   for (Sample& sample : samples)
   {
-    // The net's mean is slightly off center, by less than half a row, and would shift the shadow.
+    // The mean of the net's points is slightly off center, by less than half a row, and would shift
+    // the shadow.
     sample.Position -= isUniform ? mean : glm::dvec2(0.0);
   }
   for (int channel = 0; channel < 3; ++channel)

@@ -42,11 +42,10 @@ public:
   /// emitter.
   static std::vector<Sample> Make(bool isRound, const EmitterGrid* grid, int count);
 
-  /// Returns the samples of an area light.
   static std::vector<Sample> Make(const LightSource& light, int count);
 
-  /// Returns the light without extent that represents a sample of an area light. The colors of all
-  /// samples' lights, including the ambient color, add up to the color of \a light.
+  /// Returns a light without extent that represents a sample of an area light. The ambient, diffuse
+  /// and specular colors of the lights for all samples add up to those of \a light.
   static LightSource MakeSource(const LightSource& light, const Sample& sample);
 
   /// Returns \a lights, with each of the area lights at \a indices replaced by \a count lights

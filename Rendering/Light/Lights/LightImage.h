@@ -21,8 +21,8 @@ namespace interlume
  *
  * The image is two-dimensional (one sample along z). Its point scalars are unsigned char (0 to 255)
  * or floating point (0 to 1), with 1 (gray), 2 (gray, opacity), 3 (RGB) or 4 (RGB, opacity)
- * components. A color is red, green and blue, each multiplied by the opacity. Values outside 0 to 1
- * are clamped; NaN becomes 0.
+ * components. The colors returned are RGB, multiplied by the opacity. Floating-point values are
+ * clamped to the range from 0 to 1; NaN becomes 0.
  */
 class LightImage
 {
@@ -41,8 +41,8 @@ public:
   /// Returns the colors of all samples, x fastest.
   std::vector<float> GetTexels() const;
 
-  /// Returns the color at image coordinates (u, v), each 0 to 1: interpolated bilinearly, or the
-  /// color of the nearest sample. Colors at the image border are extended outward.
+  /// Returns the color at image coordinates (u, v), each from 0 to 1: interpolated bilinearly, or
+  /// the color of the nearest sample. Positions beyond the outermost samples are clamped to them.
   glm::dvec3 GetColor(double u, double v, bool isInterpolated) const;
 
 private:

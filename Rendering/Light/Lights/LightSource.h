@@ -22,7 +22,7 @@ namespace interlume
 struct LightSource
 {
   vtkLight* Light = nullptr;
-  /// The projective light; null for all other lights.
+  /// The light if it is projective, otherwise null.
   vtkProjectiveLight* Projective = nullptr;
 
   bool IsPositional = false;
@@ -36,8 +36,8 @@ struct LightSource
   glm::dvec3 Diffuse{ 1.0, 1.0, 1.0 };
   glm::dvec3 Specular{ 1.0, 1.0, 1.0 };
 
-  /// Cosine of the cone's half angle, or -1 without a cone, and exponent of the falloff toward its
-  /// edge.
+  /// Cosine of the cone's half angle, or -1 without a cone, and exponent of the falloff toward the
+  /// cone's edge.
   double ConeCosine = -1.0;
   double Exponent = 0.0;
   /// Coefficients a, b, c of the attenuation 1 / (a + b d + c d^2) with the distance d in unit
@@ -51,8 +51,7 @@ struct LightSource
   /// vtkProjectiveLight::GetScreenMatrix.
   glm::dmat4 ScreenFromUnit{ 0.0 };
 
-  /// The area light if its emitter has an extent; null for all other lights, including area lights
-  /// of size 0.
+  /// The light if it is an area light whose emitter has an extent, otherwise null.
   vtkAreaLight* Area = nullptr;
   /// Width and height of the emitter, as vectors to the right and up: for positional lights in unit
   /// space, for directional lights scaled to an emitter at distance 1.

@@ -95,7 +95,7 @@ glm::dvec3 GetViewUp(const double viewUp[3], const Placement& placement)
   return glm::make_vec3(to);
 }
 
-// Sets the members of an area light whose emitter has an extent. Returns an error if they are not
+// Sets EmitterAxes of an area light whose emitter has an extent. Returns an error if they are not
 // finite.
 Error SetEmitter(LightSource& source, const Placement& placement, const UnitSpace& space)
 {
@@ -112,8 +112,8 @@ Error SetEmitter(LightSource& source, const Placement& placement, const UnitSpac
   return {};
 }
 
-// Multiplies the colors by the color of the emitter's image. Returns an error if the image cannot
-// be read.
+// Multiplies the diffuse and specular colors by the color of the emitter's image. Returns an error
+// if the image cannot be read.
 Error SetEmitterColor(LightSource& source, const vtkAreaLight* light)
 {
   glm::dvec3 color;
@@ -123,7 +123,8 @@ Error SetEmitterColor(LightSource& source, const vtkAreaLight* light)
   return light->GetEmitterError();
 }
 
-// Sets the members of a projective light. Returns an error if the light is invalid.
+// Sets ScreenFromUnit of a projective light. Returns an error if the matrix is not finite or the
+// image is invalid.
 Error SetScreen(LightSource& source, const Placement& placement, const glm::dvec3& focalPoint,
   const UnitSpace& space)
 {
@@ -138,7 +139,7 @@ Error SetScreen(LightSource& source, const Placement& placement, const glm::dvec
   return source.Projective->GetImageError();
 }
 
-// Sets all members of a light. Returns an error if the light is invalid.
+// Sets all members of \a source except ShadowStrength. Returns an error if the light is invalid.
 Error SetSource(LightSource& source, vtkLight* light, vtkRenderer* renderer, const UnitSpace& space)
 {
   source.Light = light;

@@ -29,15 +29,15 @@ public:
 
   /**
    * Returns all lights that are switched on and not black, in the renderer's order. Positions and
-   * directions are computed for the renderer's camera. Among lights that cast shadows, only the
-   * MaximumNumberOfShadowLights brightest (intensity times the largest channel of the diffuse
-   * color) keep their ShadowStrength. The diffuse and specular colors of an area light are
-   * multiplied by the mean color of its emitter's image.
+   * directions of lights that follow the camera are computed for the renderer's camera. Among
+   * lights that cast shadows, only the MaximumNumberOfShadowLights brightest (intensity times the
+   * largest channel of the diffuse color) keep their ShadowStrength. The diffuse and specular
+   * colors of an area light are multiplied by vtkAreaLight::GetEmitterColor.
    *
-   * Adds a message to \a warnings for each light that is skipped: if values are not finite, the
-   * image of a projective or area light is invalid, or position and focal point coincide.
-   * Coinciding points are allowed for positional lights without cone, screen and emitter, which
-   * need no direction.
+   * Skips lights with values that are not finite, projective and area lights with an invalid image,
+   * and lights whose position and focal point coincide. Adds a message to \a warnings for each of
+   * them. Coinciding points are allowed for positional lights that need no direction, which have no
+   * cone, screen or emitter with an extent.
    */
   static std::vector<LightSource> Gather(vtkRenderer* renderer, const UnitSpace& space,
     const Settings& settings, std::vector<std::string>& warnings);

@@ -13,7 +13,7 @@ namespace interlume
  * @brief   table of the box edges that a plane cuts, in order around the cut polygon
  *
  * Bit a of a corner index is the corner's position along axis a: 0 at the lower end, 1 at the upper
- * end. Edge 4 * a + b runs along axis a in the positive direction. Bits 0 and 1 of b are its
+ * end. Edge 4 * a + b runs along axis a in the positive direction. Bits 0 and 1 of b are the edge's
  * positions along axes a + 1 and a + 2 (modulo 3).
  */
 class BoxCutTable
@@ -30,8 +30,8 @@ public:
 
   static Edge GetEdge(int edge);
 
-  /// Returns the edges that a plane cuts, in order. \a above has a bit for each corner above the
-  /// plane. Returns no edges if no plane separates the corners in this way.
+  /// Returns the edges that a plane cuts, in order. Bit i of \a above is set if corner i is above
+  /// the plane. Returns no edges if no plane separates the corners in this way.
   const std::vector<int>& GetEdges(unsigned above) const { return this->Edges[above]; }
 
 private:

@@ -13,16 +13,16 @@ namespace interlume
 namespace
 {
 
-// Width of the border around a slice, in light buffer texels. It is wide enough for interpolation
-// in the slice's slab, even from layers, whose texels are twice as large.
+// Width of the border around a slice, in light buffer texels. It is sufficient for interpolation in
+// the slice's slab, even from layers, whose texels are twice as large.
 constexpr double Border = 4.0;
 
 // Maximum number of slabs in a batch. Slabs of the same batch cast hard shadows on each other.
 constexpr int LongestBatch = 64;
 
-// Limits for the divergence between the shadows cast by light from the emitter's edge and from its
-// center within a batch, in texels of the light buffer. The shadows of a small light diverge little
-// over the entire volume. Such a light gets at least MinimumBatches batches, unless the divergence
+// Limits for how far shadows cast by light from the emitter's edge and from its center diverge
+// within a batch, in texels of the light buffer. The shadows of a small light diverge little over
+// the entire volume. Such a light gets at least MinimumBatches batches, unless the divergence
 // within a batch would then be less than DivergenceResolution.
 constexpr double DivergenceBound = 2.0;
 constexpr double DivergenceResolution = 0.25;
@@ -63,7 +63,7 @@ public:
     }
   }
 
-  // Appends the triangles of all marked tiles and clears the marks.
+  // Appends the triangles of all marked tiles to vertices and clears the marks.
   void Move(std::vector<float>& vertices)
   {
     for (int row = 0; row < this->Number; ++row)

@@ -14,7 +14,7 @@ class SlicePolygons;
 
 /**
  * @class   LayerBatches
- * @brief batches of slabs that are multiplied into an area light's layers together
+ * @brief   batches of slabs that are multiplied into an area light's layers together
  *
  * A batch starts at a slab that is not empty. Shadows cast by light from the emitter's edge diverge
  * from shadows cast by light from its center. Within a batch, they may diverge by at most two
@@ -39,23 +39,23 @@ public:
     int Last = 0;
   };
 
-  /// Finds the batches for all \a polygons. If \a coversBuffer is true, each batch covers the
-  /// entire buffer.
+  /// Divides the slabs of all \a polygons into batches. If \a coversBuffer is true, each batch
+  /// covers the entire buffer.
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
     const std::vector<const SlicePolygons*>& polygons, bool coversBuffer);
 
-  /// Returns true if the slabs from the last one of \a first to the first one of \a second would
+  /// Returns true if the slabs from the last slab of \a first to the first slab of \a second would
   /// need more than \a batches batches.
   bool AreSeparated(const Batch& first, const Batch& second, int batches) const;
 
   const std::vector<Batch>& Get() const { return this->Batches; }
-  /// Returns the triangle vertices (x, y, 0) in clip coordinates of the buffer, batch after batch.
+  /// Returns the triangle vertices (x, y, 0) of all batches, in clip coordinates of the buffer.
   const std::vector<float>& GetVertices() const { return this->Vertices; }
-  /// Returns the index of the first vertex of each batch, followed by the number of vertices.
+  /// Returns the index of the first vertex of each batch, followed by the total number of vertices.
   const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
 
 private:
-  /// Computes the limits of a batch.
+  /// Computes Period, Divergences and MaximumDivergence.
   void FindLimits(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
   /// Returns true if the slabs in [first, end) need more than \a batches batches.
   bool NeedMoreBatches(int first, int end, int batches) const;
@@ -63,8 +63,8 @@ private:
   std::vector<Batch> Batches;
   /// Maximum number of slabs in a batch.
   int Period = 1;
-  /// Divergence of the shadows, in texels, from the sweep's start to each slab and to the sweep's
-  /// end, and its maximum within a batch.
+  /// Divergence of the shadows, in texels, from the sweep's start to the start of each slab and to
+  /// the sweep's end. MaximumDivergence is the limit within a batch.
   std::vector<double> Divergences;
   double MaximumDivergence = 0.0;
   std::vector<float> Vertices;

@@ -18,7 +18,7 @@ namespace
 
 using namespace UnitVector;
 
-// Minimum cosine between the axis of a perspective window and a ray.
+// Minimum cosine between the axis of a perspective window and a light ray through a box corner.
 constexpr double SmallestDepth = 1e-3;
 
 constexpr int SmallestBuffer = 16;
@@ -27,8 +27,7 @@ constexpr int SmallestWithLayers = 96;
 constexpr int LargestAutomatic = 2048;
 constexpr int Multiple = 16;
 
-// Without layers, number of emitter samples from which PlanSoftShadows tests that no slice is seen
-// edge-on.
+// Number of emitter samples that PlanSoftShadows tests if the soft method is not LAYERS.
 constexpr int CornerSamples = 16;
 
 // Returns the light direction at a point.
@@ -54,7 +53,7 @@ double LightBufferProjection::GetArea(const Window& window)
   return (window.Range[0][1] - window.Range[0][0]) * (window.Range[1][1] - window.Range[1][0]);
 }
 
-// Computes the window's range from the boxes. Returns false if part of them is beside or behind the
+// Fits the window's range to the boxes. Returns false if part of a box is beside or behind the
 // light.
 bool LightBufferProjection::Bound(Window& window) const
 {
@@ -117,7 +116,7 @@ LightBufferProjection::Window LightBufferProjection::FitBox(const LightSource& s
 }
 
 // Computes the part of the screen through which light reaches the boxes. Returns false if there is
-// none.
+// no such part.
 bool LightBufferProjection::FitScreen(const LightSource& source, Window& window) const
 {
   const glm::dmat4& screen = source.ScreenFromUnit;
@@ -202,7 +201,7 @@ void LightBufferProjection::FitPlane(
     window = screen;
   }
 
-  // Depth that the matrix maps to a fourth coordinate of 1, and depth of the boxes' center.
+  // Depth that BufferFromUnit maps to w = 1, and depth of the boxes' center.
   double depth = 1.0;
   double centerDepth = 1.0;
   if (window.IsPerspective)
@@ -285,7 +284,7 @@ bool LightBufferProjection::PlanSoftShadows(
       const glm::dvec3 center = GetRay(source, corner);
       const double divergence =
         Vectors::SafeLength(ray / cosine - center / glm::dot(center, normal));
-      // The size of a texel grows with the depth from the light.
+      // The size of a texel is proportional to the depth from the light.
       const double depth =
         glm::dot(GetRow(soft.BufferFromUnit, 3), corner) + soft.BufferFromUnit[3][3];
       const double spread = divergence / (soft.TexelSize * depth);
@@ -330,15 +329,15 @@ void LightBufferProjection::FitHalfSpace(
     const std::array<double, 2> range = this->Corners.GetRange(axes[i]);
     const double height = glm::dot(position, axes[i]);
     const double farthest = std::max(range[1] - height, i < 2 ? height - range[0] : 0.0);
-    // If the light is near a face, few rays reach the farthest point, so do not refine the buffer
-    // for that point.
+    // If the light is near a face of the box, few rays reach the farthest point, so the buffer is
+    // not enlarged to resolve it.
     const double outside = std::max({ range[0] - height, height - range[1], 0.0 });
     const double reach = std::min(farthest, 0.7 * (range[1] - range[0]) + 2.0 * outside);
     texels = std::max(texels, reach / this->GetVoxelSpacing(axes[i], reach));
   }
   light.IsWide = true;
   light.BufferFromUnit = glm::dmat4(0.0);
-  // The half space spans an angle of pi.
+  // The directions in a half space span an angle of pi.
   light.BufferSize = this->GetSize(vtkMath::Pi() * texels, SmallestAutomatic);
 }
 

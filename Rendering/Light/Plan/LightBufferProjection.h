@@ -16,22 +16,23 @@ namespace interlume
  * @class   LightBufferProjection
  * @brief   size and projection of a light buffer
  *
- * A planar buffer is a rectangle around all boxes, with an edge parallel to the projection of one
- * of the boxes' edges; the smallest such rectangle is used. A border of Border texels lets
- * interpolation at the edge read valid texels. For a projective light, the rectangle of its screen
- * is used if that is smaller. The buffer of a wide light is the octahedral map of a half space.
+ * A planar buffer covers a rectangle around the projected boxes of all volumes: the smallest one
+ * with an edge parallel to a projected box edge. A border of Border texels lets interpolation at
+ * the edge read valid texels. For a projective light, the buffer covers the part of the light's
+ * screen in front of the boxes instead if that part is smaller. The buffer of a wide light is the
+ * octahedral map of a half space.
  */
 class LightBufferProjection
 {
 public:
   /// Width of the border on each side, in texels.
   static constexpr int Border = 2;
-  /// Minimum distance at which a positional light is fitted as a directional light. The
-  /// difference is not representable in single precision.
+  /// Minimum distance at which a positional light is treated as directional. At this distance,
+  /// single precision cannot represent the difference between the ray directions.
   static constexpr double FarDistance = 1e8;
-  /// Maximum number of texels per voxel in an automatic buffer. A light with layers gets up to
-  /// this number as long as the frame has two pixels per texel, and a light in a dense medium as
-  /// long as the frame has one pixel per texel. Other lights have one texel per voxel.
+  /// Maximum number of texels per voxel in an automatic buffer. More than one is used only if the
+  /// frame has at least two pixels per texel, for lights with sample layers, or one pixel per
+  /// texel, for lights in a dense medium.
   static constexpr double LargestFineness = 1.5;
 
   LightBufferProjection(const BoxCorners& corners,
@@ -39,20 +40,21 @@ public:
 
   /// Fits a planar buffer around the boxes.
   void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const;
-  /// Plans the soft shadows of an area light with the method of the settings, after FitPlane.
-  /// Returns false and leaves the shadows hard if slices normal to \a normal are seen edge-on from
-  /// part of the emitter.
+  /// Plans the soft shadows of an area light with the method in the settings. Call FitPlane first.
+  /// Returns false and leaves the shadows hard if slices perpendicular to \a normal are seen
+  /// edge-on from part of the emitter.
   bool PlanSoftShadows(
     const LightSource& source, const glm::dvec3& normal, SlicePlan::ShadowedLight& light) const;
-  /// Refines an automatic buffer after FitPlane, for surfaces whose opacity ramps are as narrow as
-  /// its texels.
+  /// Increases the resolution of an automatic buffer after FitPlane, for media whose opacity ramps
+  /// are no wider than a texel.
   void Refine(const LightSource& source, SlicePlan::ShadowedLight& light) const;
   /// Fits the buffer of a wide light at \a position to the half space that \a normal points into.
   void FitHalfSpace(
     const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const;
 
 private:
-  /// Axes of a plane and a rectangle in it. In perspective, coordinates in the plane are tangents.
+  /// A rectangle in a plane, and the axes of the plane. In perspective, coordinates in the plane
+  /// are tangents of angles relative to Axis.
   struct Window
   {
     bool IsPerspective = false;
@@ -71,10 +73,10 @@ private:
   /// least \a smallest.
   void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light, double fineness,
     int smallest) const;
-  /// Returns the minimum length of a voxel along \a direction over all volumes. If \a extent, the
-  /// extent of the buffer, is not 0, axes are ignored along which the entire volume is thinner than
-  /// one texel of the largest automatic buffer. Without this rule, extremely flat voxels would
-  /// require the largest buffer and still not be resolved.
+  /// Returns the minimum length of a voxel along \a direction over all volumes. \a extent is the
+  /// extent of the buffer. If it is not 0, volume axes are ignored along which the entire volume is
+  /// thinner than one texel of the largest automatic buffer. Without this rule, extremely flat
+  /// voxels would require the largest buffer and still not be resolved.
   double GetVoxelSpacing(const glm::dvec3& direction, double extent) const;
 
   const BoxCorners& Corners;

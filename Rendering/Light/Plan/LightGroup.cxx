@@ -11,8 +11,8 @@ namespace interlume
 namespace
 {
 
-// Tolerance within which light perpendicular to the view direction is treated as traveling along
-// it.
+// If the view and light directions are perpendicular within this tolerance, the sweep runs front to
+// back.
 constexpr double Perpendicularity = 1e-9;
 // Length below which a sum of directions is treated as 0.
 constexpr double MinimumLength = 1e-9;

@@ -30,8 +30,8 @@ public:
   };
 
   /// Creates a group with one light. The sweep runs front to back if the light comes from the
-  /// viewer's side, otherwise back to front. If no normal then suits both the view and the light,
-  /// the order with the better normal is used.
+  /// viewer's side, otherwise back to front. If no normal for that order suits both the view and
+  /// the light, the order with the better normal is used.
   static LightGroup Make(const ViewRange& view, const Light& light);
 
   /// Adds the light if the group has fewer than \a maximum lights and one slice normal suits all of
@@ -41,8 +41,9 @@ public:
   /// Returns true if the slices are drawn front to back.
   bool IsFrontToBack() const { return this->Side > 0.0; }
   const std::vector<Light>& GetLights() const { return this->Lights; }
-  /// Returns the half vector of the view direction, or its opposite, and the average light
-  /// direction (C. Zhang, dissertation, section 2.3.4), rotated as far as the rays require.
+  /// Returns the slice normal: the half vector of the view direction, or its opposite, and the
+  /// average light direction (C. Zhang, dissertation, section 2.3.4), rotated as far as the rays
+  /// require.
   const glm::dvec3& GetNormal() const { return this->Normal; }
   /// Returns the minimum cosine between the normal and the lights' rays.
   double GetLightCosine() const;

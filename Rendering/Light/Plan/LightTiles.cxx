@@ -26,13 +26,14 @@ struct Bounds
   glm::dvec3 Upper;
 };
 
-// Tolerance for the rays, which are clipped to the box in single precision.
+// Margin added to bounds, in texture coordinates, because shaders clip rays to the box in single
+// precision.
 constexpr double Margin = 1e-5;
-// Minimum cosine between a ray and the normal. It keeps the intersection with a slice finite for
-// rays parallel to the slices.
+// Lower bound for the cosine between a ray and the normal, so that rays parallel to the slices have
+// a finite intersection with a slice.
 constexpr double SmallestSlope = 1e-9;
 
-// Counts the visible blocks in a range of blocks, by prefix sums along all three axes.
+// Tests whether a box contains visible blocks, with 3D prefix sums of the visible blocks.
 class BlockCounts
 {
 public:
@@ -93,7 +94,8 @@ private:
   {
     return this->Sums[this->GetIndex(i, j, k)];
   }
-  // Returns the block at a position. The first and last blocks extend to infinity.
+  // Returns the index of the block at a position along an axis. The first and last blocks extend to
+  // infinity.
   std::size_t Find(std::size_t axis, double position) const
   {
     const std::vector<double>& borders = this->Grid.GetBorders(axis);
@@ -107,7 +109,7 @@ private:
   std::vector<int> Sums;
 };
 
-// The pyramids of directions that the tiles of a light buffer cover, in texture coordinates.
+// Pyramids of light rays through the tiles of a light buffer, in texture coordinates.
 class Pyramids
 {
 public:
@@ -132,13 +134,13 @@ public:
   }
 
   std::size_t GetNumber() const { return this->Number; }
-  /// Returns the position of a tile's edge in the buffer, 0 to 1.
+  /// Returns the position of a tile's edge in the buffer, from 0 to 1.
   double GetEdge(std::size_t i) const
   {
     return static_cast<double>(i) / static_cast<double>(this->Number);
   }
-  /// Returns a box around the part of tile (i, j) between two heights above the light. Bounding the
-  /// corners suffices: tile edges are straight in every slice plane, because the creases of the
+  /// Returns a bounding box of the pyramid of tile (i, j) between two heights above the light. The
+  /// corners suffice, because tile edges are straight in every slice plane: the creases of the
   /// octahedral map run along the tiles' diagonals.
   Bounds Bound(std::size_t i, std::size_t j, const std::array<double, 2>& heights) const
   {
@@ -161,7 +163,7 @@ private:
   const std::size_t Number;
   const glm::dvec3 Apex;
   const glm::dvec3 Upwards;
-  // Lateral offset of each tile corner at height 1.
+  // Lateral offset of the ray through each tile corner at height 1.
   std::vector<glm::dvec3> Across;
 };
 

@@ -18,11 +18,11 @@ class UnitSpace;
  * @class   LightTiles
  * @brief   tiles of a wide light's buffer whose rays can intersect the medium in a slab
  *
- * The light buffer is divided into squares of about TileSize x TileSize texels. The directions of a
- * square form a pyramid. A slab's tiles are the squares whose pyramid, clipped to the slab, has a
- * bounding box (in texture coordinates) that intersects a visible block inside the box of the
- * medium. Adjacent tiles in a row are merged into one rectangle. Tiles do not overlap. Vertices are
- * (x, y, 0), from 0 to 1 across the buffer.
+ * The light buffer is divided into squares of about TileSize x TileSize texels. The light rays
+ * through a square form a pyramid. A slab's tiles are the squares whose pyramid, clipped to the
+ * slab, has a bounding box (in texture coordinates) that intersects a visible block inside the box
+ * of the medium. Adjacent tiles in a row are merged into one rectangle. Tiles do not overlap.
+ * Vertices are (x, y, 0), with x and y from 0 to 1 across the buffer.
  */
 class LightTiles : public SlabTriangles
 {

@@ -58,8 +58,8 @@ public:
     }
   }
 
-  // Returns the first run of tiles in a row, starting at a column. It is empty at the end of the
-  // row.
+  // Returns the first run of tiles in a row at or after \a column. It is empty if there are no more
+  // tiles.
   Range FindRun(int column, int row) const
   {
     const int first = this->Find(column, row, true);
@@ -134,7 +134,7 @@ std::vector<Rectangle> MakeRectangles(const TileMask& mask)
   return rectangles;
 }
 
-// Projects the slab planes inside a grid of blocks to a view.
+// Projects the cross-sections of blocks with slab planes onto the tiles of a view.
 class Viewer
 {
 public:
@@ -165,8 +165,8 @@ public:
 
   const std::array<int, 2>& GetNumber() const { return this->Number; }
 
-  // Returns true if the entire block grid is in front of the camera, and no view ray that
-  // intersects it is nearly parallel to the slices.
+  // Returns true if the entire block grid is in front of the camera, and no view ray through it is
+  // nearly parallel to the slices.
   bool IsSuitable() const
   {
     std::array<glm::dvec2, 8> positions;
@@ -209,7 +209,8 @@ public:
     return true;
   }
 
-  // Adds the block's cross-sections with \a slabs slabs, starting at \a firstSlab, to their masks.
+  // Adds a block's cross-sections with \a slabs slabs, starting at \a firstSlab, to the slabs'
+  // masks.
   void Add(const Block& block, int firstSlab, int slabs, std::vector<TileMask>& masks) const
   {
     std::array<glm::dvec4, 8> corners;
@@ -253,7 +254,7 @@ public:
   }
 
 private:
-  // Returns the tiles along an axis that intersect a range given in tiles.
+  // Returns the tiles along an axis that intersect a range of positions in tile units.
   Range GetRange(double lower, double upper, int axis) const
   {
     const double end = this->Number[static_cast<std::size_t>(axis)];
@@ -261,7 +262,7 @@ private:
       static_cast<int>(std::ceil(std::max(std::min(upper + Rounding, end), 0.0))) } };
   }
 
-  // Returns the direction of the view ray through a tile's corner, with either sign.
+  // Returns the direction of the view ray through a tile's corner, up to its sign and length.
   glm::dvec3 GetRay(int column, int row) const
   {
     const glm::dvec3 depth = GetRow(this->TilesFromUnit, 2);
@@ -269,7 +270,7 @@ private:
       GetRow(this->TilesFromUnit, 1) - static_cast<double>(row) * depth);
   }
 
-  // Adds the cross-section of a block with a slab's plane.
+  // Adds the tiles that intersect a block's cross-section with a slab's plane.
   void AddCut(const std::array<glm::dvec4, 8>& corners, int slab, TileMask& mask) const
   {
     const double height = slab;
@@ -334,10 +335,11 @@ private:
 
   std::array<int, 2> Number{};
   const bool IsParallel;
-  /// Transforms unit space to (column * depth, row * depth, depth, slab), with tile columns and
-  /// rows, and slabs counted from the center of the first slab.
+  /// Transforms unit space to (column * depth, row * depth, depth, slab). Columns and rows are in
+  /// tiles. On the central plane of a slab, the last coordinate is the slab's index.
   glm::dmat4 TilesFromUnit;
-  /// The transformed origin of the block grid, and the transformed block borders along each axis.
+  /// Origin of texture coordinates, and offsets from it to the block borders along each axis,
+  /// transformed by TilesFromUnit.
   glm::dvec4 Origin;
   std::array<std::vector<glm::dvec4>, 3> Borders;
   const BoxCutTable Table;

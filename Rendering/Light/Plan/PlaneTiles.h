@@ -24,13 +24,14 @@ class UnitSpace;
  * Adjacent tiles are merged into rectangles; tiles do not overlap. Vertices are in unit space, in
  * the slice planes.
  *
- * Tiles are faster than the polygons of the blocks in software OpenGL, which shades a whole square
- * for each triangle that covers any part of it. Most squares intersect polygons of several blocks.
+ * Drawing tiles is faster than drawing the polygons of the blocks in software OpenGL, which shades
+ * a whole square for each triangle that covers any part of it. Most squares intersect polygons of
+ * several blocks.
  */
 class PlaneTiles : public SlabTriangles
 {
 public:
-  /// Size of the squares that llvmpipe shades.
+  /// Edge length in pixels of the squares that llvmpipe shades.
   static constexpr int TileSize = 4;
 
   /**

@@ -16,11 +16,11 @@ namespace
 
 using namespace UnitVector;
 
-// Boxes with a smaller overlap are treated as separate.
+// Boxes that overlap by less than this are treated as separate.
 constexpr double OverlapTolerance = 1e-6;
 
-// For a point closer to the separating plane than this, or a direction more nearly parallel to it,
-// the order is undefined.
+// The order is undefined for a point closer than this to the separating plane, and for a direction
+// whose cosine with the plane's normal is smaller.
 constexpr double ParallelTolerance = 1e-9;
 
 // A plane n.x = Height that separates two boxes. The normal n points toward the second box.
@@ -59,8 +59,8 @@ SeparatingPlane FindSeparatingPlane(
   return best;
 }
 
-// Returns 1 if rays from or to a point, or along a direction, pass through the first box first, -1
-// if they pass through the second box first, and 0 if the order is undefined.
+// Returns 1 if rays from a point or along a direction pass through the first box first, -1 if they
+// pass through the second box first, and 0 if the order is undefined.
 int GetSide(
   const SeparatingPlane& plane, bool hasPoint, const glm::dvec3& point, const glm::dvec3& ray)
 {
@@ -110,7 +110,7 @@ void SlabOrder::Find(const SlicePlan::Sweep& sweep, const SlicePlan::Camera& eye
     order.clear();
     while (!remaining.empty())
     {
-      // If volumes precede each other in a cycle, no volume is first. Take any.
+      // If the remaining volumes precede each other in a cycle, take any of them.
       auto next = std::find_if(remaining.begin(), remaining.end(),
         [&](std::size_t i)
         {

@@ -15,17 +15,17 @@ namespace interlume
  * @class   SlabOrder
  * @brief   the order in which volumes are drawn within a slab
  *
- * If a plane parallel to a box face separates two boxes, the volume on the light's side is drawn
- * first. Without a light that casts shadows, the sweep's order along the view direction decides.
- * Such an order is correct for all rays of that light, and for other rays the error is limited to
- * the extinction within the slab. Overlapping volumes alternate: one is first in even slabs, the
- * other in odd slabs. The two errors, which are of first order in the slab's optical depth, then
- * cancel.
+ * If a plane parallel to a box face separates two boxes, the volume on the side of the sweep's
+ * first light is drawn first. In a sweep without lights, the volume on the camera's side is drawn
+ * first (front to back) or last (back to front). This order is correct for all rays of the first
+ * light, or of the camera. For other rays, the error is limited to the extinction within the slab.
+ * Overlapping volumes alternate: one is drawn first in even slabs, the other in odd slabs. The
+ * errors, which are of first order in the slab's optical depth, then cancel.
  */
 class SlabOrder
 {
 public:
-  /// Computes the order of a sweep. \a lights are the lights of the plan.
+  /// Computes the drawing order for a sweep. \a lights are the lights of the plan.
   void Find(const SlicePlan::Sweep& sweep, const SlicePlan::Camera& eye,
     const std::vector<LightSource>& lights, const std::vector<SlicePlan::SlicedVolume>& volumes);
 
@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  /// Orders of even and odd slabs.
+  /// Drawing orders in even and odd slabs.
   std::array<std::vector<std::size_t>, 2> Orders;
 };
 

@@ -13,8 +13,8 @@ namespace
 
 using namespace UnitVector;
 
-// If the hull's closest point is closer to the origin than this, the hull is treated as containing
-// the origin.
+// Distance between the origin and the hull below which the hull is treated as containing the
+// origin.
 constexpr double MinimumLength = 1e-6;
 
 // The point of a simplex that is closest to the origin, and the vertices of the face that contains
@@ -125,8 +125,8 @@ double SliceNormal::GetRatio(const glm::dvec3& normal) const
 
 double SliceNormal::FindBest()
 {
-  // The algorithm of Gilbert, Johnson and Keerthi moves from simplex to simplex of the hull, closer
-  // to the origin with each step.
+  // This is the algorithm of Gilbert, Johnson and Keerthi (GJK). Each step moves to a simplex of
+  // the hull that is closer to the origin.
   this->BestRatio = 0.0;
   if (this->Rays.empty())
   {
@@ -177,7 +177,7 @@ glm::dvec3 SliceNormal::Adjust(const glm::dvec3& preferred) const
     return this->Best;
   }
   // On the chord from preferred to the best normal, min d_k.x / c_k - |x| is concave and changes
-  // its sign once, so bisection finds the rotation.
+  // sign once, so bisection finds the rotation.
   double bad = 0.0;
   double good = 1.0;
   glm::dvec3 normal = this->Best;

@@ -21,11 +21,11 @@ namespace
 
 using namespace UnitVector;
 
-// If the volume extends less than this past a wide light, the light is ignored on that side.
+// A wide light needs no sweep on a side where the volumes extend less than this past it.
 constexpr double MinimumExtent = 1e-9;
 
-// Adds a light to a group with a suitable normal, preferably one with the same drawing order, or to
-// a new group.
+// Adds the light of \a own to a group with a suitable normal, preferably one with the same drawing
+// order, or appends \a own.
 void AddLight(const ViewRange& view, const LightGroup& own, std::size_t maximum,
   std::vector<LightGroup>& groups)
 {
@@ -116,8 +116,8 @@ bool IsWide(const SlicePlan::ShadowedLight& light)
   return light.IsWide;
 }
 
-// If two consecutive sweeps are the half spaces of one light and have no other lights, draws the
-// half space farther from the camera second, behind the other.
+// If two consecutive sweeps cover the half spaces of one wide light and have no other lights, draws
+// the half space farther from the camera second, behind the other.
 void PairHalves(std::vector<SlicePlan::Sweep>& sweeps)
 {
   for (std::size_t i = 1; i < sweeps.size(); ++i)
@@ -159,8 +159,8 @@ double GetFirstLight(const SlicePlan::Sweep& sweep, const std::vector<LightSourc
   return first;
 }
 
-// Returns the automatic slice spacing. View rays along the long edges of anisotropic voxels do not
-// require more slices if the slices are oblique.
+// Returns the automatic slice spacing. For oblique slices, a spacing of one voxel along the view
+// direction suffices, even if voxels are shorter along the normal.
 double GetAutomaticSpacing(
   const UnitSpace& space, const glm::dvec3& normal, const glm::dvec3& direction, double factor)
 {
@@ -169,7 +169,7 @@ double GetAutomaticSpacing(
   return factor * std::max(SlicePlan::GetVoxelSpacing(space, normal), seen);
 }
 
-// Sets slabs that cover a range along the normal.
+// Divides a range along the normal into slabs.
 void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range,
   const std::vector<SlicePlan::SlicedVolume>& volumes, const glm::dvec3& direction,
   const SlicePlan::Settings& settings)
@@ -189,7 +189,8 @@ void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range,
   sweep.Spacing = extent / sweep.Slabs;
 }
 
-// Refines the buffers of a sweep's hard lights if a slab of some volume is dense.
+// Refines the buffers of the sweep's lights with hard shadows if slabs are optically dense in any
+// volume.
 void RefineLights(SlicePlan::Sweep& sweep, const std::vector<LightSource>& lights,
   const std::vector<SlicePlan::SlicedVolume>& volumes, const LightBufferProjection& projection)
 {

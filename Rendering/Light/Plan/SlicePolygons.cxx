@@ -85,8 +85,8 @@ public:
 
 private:
   // Returns a corner's height above the plane at \a position. All blocks add the terms in the same
-  // order. Sums at common corners are then bit-identical and monotonic along each axis, so no face
-  // is cut twice.
+  // order. Heights of shared corners are therefore bit-identical and monotonic along each axis, so
+  // no face is cut twice.
   double GetHeight(const Block& block, unsigned corner, double position) const
   {
     std::array<double, 3> heights;
@@ -123,12 +123,12 @@ private:
   const BlockGrid& Grid;
   const UnitSpace& Space;
   const double Constant;
-  /// Positions along the normal of the block borders of each axis.
+  /// For each axis, contributions of the block borders to the height along the normal.
   std::array<std::vector<double>, 3> Heights;
   const BoxCutTable Table;
 };
 
-// Returns the blocks that each slab's plane may cut, in block order.
+// Returns, for each slab, the blocks that its central plane may intersect, in block order.
 std::vector<std::vector<Block>> Distribute(
   const std::vector<Block>& blocks, const Cutter& cutter, const SlicePlan::Sweep& sweep)
 {

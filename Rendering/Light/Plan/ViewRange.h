@@ -14,8 +14,8 @@ namespace interlume
  * @brief   view rays that must not be nearly parallel to the slices
  *
  * In parallel projection, the only ray is the view direction. In perspective, the rays pass through
- * the corners of the boxes. If the camera is close to a volume or inside it, the rays through the
- * corners of the frame are used if they span a smaller range.
+ * the corners of the volumes' boxes. If the camera is close to a volume or inside it, the rays
+ * through the corners of the frame are used if they span a smaller range of directions.
  */
 struct ViewRange
 {

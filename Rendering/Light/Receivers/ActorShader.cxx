@@ -131,7 +131,7 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
     implementation += "  vec3 sceneLight" + std::to_string(shadowedParts.Numbers[i]) +
       " = sceneLightOf(" + std::to_string(i) + ", " + factor + ")" + light.Screen + ";\n";
   }
-  // The source for images is part of the source for shadows, so it needs no comparison.
+  // The GLSL code for images is part of the code for shadows, so it need not be compared.
   const bool isNew = shadowedParts.Declarations != this->Shadowed.Declarations ||
     implementation != this->Shadowed.Implementation;
   this->Shadowed = std::move(shadowedParts);
@@ -203,8 +203,8 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
       "ambientColor + diffuse + sceneScattered(vertexVC.xyz, normalVCVSOutput) * diffuseColor + "
       "specular",
       false);
-    // Diffuse reflection of environment light in physically based shading. Recent VTK versions omit
-    // it if there is no environment image.
+    // In physically based shading, scattered light is added to the diffuse reflection of the
+    // environment, which recent VTK versions set to 0 if there is no environment image.
     vtkShaderProgram::Substitute(text, "vec3 color = iblDiffuse + iblSpecular;",
       "iblDiffuse += (1.0 - F0) * (1.0 - metallic) * recPI * sceneScattered(vertexVC.xyz, N) * "
       "albedo;\n  vec3 color = iblDiffuse + iblSpecular;",

@@ -15,14 +15,15 @@ namespace interlume
 
 /**
  * @class   ScatteredLightTexture
- * @brief   multiply scattered light of a volume, for surfaces
+ * @brief   light from multiple scattering in a volume, for shading surfaces
  */
 struct ScatteredLightTexture
 {
-  /// Maps stacked along z: fluence, net flux (along the axes of world coordinates), and the
-  /// forward-scattered light of each light.
+  /// 3D maps stacked along z: fluence, net flux (in world coordinates), and the forward-scattered
+  /// light of each light.
   vtkTextureObject* Texture = nullptr;
-  /// Number of nodes of a map, and the transform from world coordinates to node indices.
+  /// Number of nodes of a map along each axis, and the transform from world coordinates to node
+  /// indices.
   glm::ivec3 Nodes{ 0 };
   glm::dmat4 NodeFromWorld{ 1.0 };
   /// If true, the maps include fluence and net flux: light scattered in all directions.

@@ -77,7 +77,7 @@ std::string SceneLightImages::GetDeclarations() const
     hasScreens = true;
     const bool hasImage = light->GetImage() != nullptr;
     source += "uniform mat4 sceneScreenFromView" + number + ";\n";
-    // Width of the edge, and opacity.
+    // Width of the screen's smooth edge, and the screen's opacity.
     source += "uniform vec2 sceneScreen" + number + ";\n";
     source += hasImage ? "uniform sampler2D sceneImage" + number + ";\n" : "";
     source += "vec3 lightOfSceneScreen" + number + "(vec3 place)\n{\n  vec2 uv;\n";

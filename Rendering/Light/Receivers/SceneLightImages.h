@@ -33,7 +33,7 @@ public:
   SceneLightImages();
   ~SceneLightImages();
 
-  /// Finds the lights with images or screens. \a lights are in \a space.
+  /// Finds the lights with images or screens. \a lights are given in \a space.
   void Gather(const std::vector<LightSource>& lights, const UnitSpace& space);
   bool IsEmpty() const { return this->Images.empty(); }
   int GetNumber() const { return static_cast<int>(this->Images.size()); }
@@ -45,19 +45,19 @@ public:
 
   /// Returns the declarations that the shaders require.
   std::string GetDeclarations() const;
-  /// Returns a light's color factor as " * ...", for a shader with the position `vertexVC` in view
-  /// coordinates. Returns an empty string if there is no factor.
+  /// Returns the GLSL factor of a light's color, in the form " * ...", for a shader with the
+  /// position `vertexVC` in view coordinates. Returns an empty string if there is no factor.
   std::string GetFactor(vtkLight* light) const;
 
-  /// Sets the uniforms. If \a placeholder is not null, it replaces the textures. Otherwise the
-  /// textures must be active.
+  /// Sets the uniforms. If \a placeholder is not null, it is used instead of all textures.
+  /// Otherwise the textures must be active.
   void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromView,
     vtkTextureObject* placeholder) const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// Factor of one light's color: a screen, or a color if there is no screen.
+  /// Factor of a light's color: a screen or, if there is no screen, a constant color.
   struct Image
   {
     LightSource Source;

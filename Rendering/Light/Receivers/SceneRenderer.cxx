@@ -44,7 +44,7 @@ bool MayOcclude(vtkProp* prop)
   return prop->IsA("vtkProp3D") && !prop->IsA("vtkVolume") && prop->HasOpaqueGeometry();
 }
 
-// Returns a unit space that encloses all boxes.
+// Returns a unit space that contains all boxes.
 UnitSpace MakeSpace(const std::vector<ShadowMapView::Box>& boxes)
 {
   if (boxes.empty())
@@ -163,17 +163,18 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     return false;
   }
   const UnitSpace space = MakeSpace(boxes.All);
-  // Ignore the warnings: drawing the scene without this pass does not report these lights either.
+  // Ignore warnings about skipped lights, since drawing the scene without this pass does not report
+  // them either.
   std::vector<std::string> warnings;
   this->Lights =
     LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadowLights }, warnings);
   for (LightSource& light : this->Lights)
   {
-    // With one sample, an area light is replaced by its center.
+    // With one sample, an area light is treated as a light at its center.
     light.Area = request.Samples > 1 ? light.Area : nullptr;
   }
   this->Maps.Fit(this->Lights, space, boxes.Opaque, request.Resolution, request.Samples);
-  // Translucent surfaces attenuate an area light as seen from its center.
+  // Translucent surfaces attenuate area lights like lights at the emitters' centers.
   std::vector<LightSource> centers = this->Lights;
   for (LightSource& light : centers)
   {
@@ -188,7 +189,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     renderer->GetUseDepthPeeling() != 0 && renderer->GetUseDepthPeelingForVolumes();
   this->IsLayered =
     !this->Translucent.empty() && volumes > 0 && !isPeeled && (!this->Opaque.empty() || !hasOthers);
-  // If no translucent prop is in view, any translucent occluders are invisible props.
+  // If no translucent prop is visible, any translucent occluders are invisible props.
   const bool hasTranslucent = !this->Translucent.empty() || !this->TranslucentOccluders.empty();
   const bool hasOccluders = !this->Opaque.empty() || !this->Occluders.empty() ||
     (this->Translucent.empty() && hasTranslucent);
@@ -318,7 +319,8 @@ Error SceneRenderer::PeelLayers(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const std::array<int, 2>& size = this->Scene.Size;
-  // Allocate both textures first, so that the layers and the final image use the same programs.
+  // Allocate both textures first, so that the layers and the final image use the same shader
+  // programs.
   if (!this->Transmittance.Make(window) || !this->LayerLight.Make(window))
   {
     return Error("The graphics card is out of memory for the light at translucent surfaces.",
@@ -354,7 +356,7 @@ void SceneRenderer::BeginSegment(std::size_t segment)
   }
   const DepthLayers::Layer& behind = layers[segment];
   this->Scene.CameraDepth = behind.Texture;
-  // Light is required only at the surfaces of the layer, not behind it.
+  // Light is required only at the surfaces of the layer, not at surfaces behind it.
   this->Scene.CameraDepths.resize(this->OpaqueDepths.size());
   std::transform(behind.Depths.begin(), behind.Depths.end(), this->OpaqueDepths.begin(),
     this->Scene.CameraDepths.begin(),
@@ -526,7 +528,7 @@ void SceneRenderer::End(vtkRenderer* renderer)
 {
   if (this->Scene.Show)
   {
-    // All volumes may be out of view, so that none of them has shown the image.
+    // If all volumes are out of view, none of them has shown the image.
     this->Layers.Show(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
     this->Scene.Show = nullptr;
   }
@@ -546,8 +548,8 @@ void SceneRenderer::Deactivate()
 void SceneRenderer::SetUniforms(vtkShaderProgram* program, vtkProp* prop)
 {
   this->Reached.insert(prop);
-  // Views of the camera and of lights alternate. VTK would otherwise reuse the light uniforms of
-  // the last camera if no light has been modified.
+  // The camera alternates between the viewer and the lights. VTK would otherwise reuse the light
+  // uniforms of the last camera if no light has been modified.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   const bool isSeen = prop->HasTranslucentPolygonalGeometry() == 0 || this->Layering.IsShading();
   this->Shader.SetUniforms(program, isSeen, this->IsDepthOnly, this->Placeholder);

@@ -50,7 +50,7 @@ public:
     double Bias = 1.0;
     int Samples = 16;
     int Layers = 16;
-    /// Return whether a prop casts shadows, and whether it receives them.
+    /// Return true if a prop casts or receives shadows, respectively.
     bool (*Casts)(vtkProp* prop) = nullptr;
     bool (*Receives)(vtkProp* prop) = nullptr;
     /// Returns true if a prop casts shadows even if it is invisible.
@@ -69,7 +69,7 @@ public:
   /// the pass did not exist.
   bool HasVolumes() const { return this->IsMixed; }
 
-  /// Returns the props whose shaders are changed: all props with surfaces that are visible or cast
+  /// Returns the props whose shaders are modified: all props with surfaces that are visible or cast
   /// shadows.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
@@ -89,14 +89,14 @@ public:
   Error DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
     const std::function<void()>& showVolumes);
 
-  /// Returns the scene for the volumes of this frame. Call DrawEyeDepth first.
+  /// Returns the input and output of the volumes in this frame. Call DrawEyeDepth first.
   SliceScene& GetScene() { return this->Scene; }
   /// Updates the shaders of props. Pass false for \a isShadowed after an error.
   void MakeShader(vtkRenderer* renderer, bool isShadowed);
 
-  /// Binds the textures that shaders of props read.
+  /// Binds the textures that the shaders of props read.
   void Activate();
-  /// Shows the image if no volume has shown it, and unbinds the textures.
+  /// Shows the image from DrawSegments if no volume has shown it, and unbinds the textures.
   void End(vtkRenderer* renderer);
 
   /// Marks where Replace inserts GLSL code. Call this before VTK replaces its tags.
@@ -104,21 +104,23 @@ public:
   /// Inserts the GLSL code for lights and layers into the shader of a prop.
   void Replace(std::string& fragmentShader, vtkProp* prop);
   vtkMTimeType GetShaderTime() const { return this->ShaderTime.GetMTime(); }
-  /// Sets the uniforms of a prop's program.
+  /// Sets the uniforms of a prop's shader program.
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop);
-  /// Returns the opaque actors that are drawn without shadows. Each actor is returned only once.
+  /// Returns the opaque actors on which shadows could not be drawn. Each actor is returned only
+  /// once.
   std::vector<vtkProp*> ConsumeUnreached();
   /// Returns the translucent actors that are drawn before volumes and cast no shadows. Each actor
   /// is returned only once.
   std::vector<vtkProp*> ConsumeUnsliced();
 
-  /// Returns the report of the frame that Begin started. The pass completes it.
+  /// Returns the report of the frame that Begin started. vtkShadowedScenePass completes it.
   SceneReport& GetReport() { return this->Report; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// Boxes of opaque and of translucent props that cast shadows, and of all props.
+  /// Bounding boxes of opaque props that cast shadows, of translucent props that cast shadows, and
+  /// of all props.
   struct Boxes
   {
     std::vector<ShadowMapView::Box> Opaque;
@@ -126,8 +128,8 @@ private:
     std::vector<ShadowMapView::Box> All;
   };
 
-  /// Classifies the renderer's props that are visible or cast shadows. Returns true if props that
-  /// are not drawn as surfaces can hide volumes.
+  /// Sorts the renderer's props that are visible or cast shadows into the lists of this class.
+  /// Returns true if props without surfaces can hide volumes.
   bool SortProps(vtkRenderer* renderer, Boxes& boxes);
   Error UpdateContext(vtkOpenGLRenderWindow* window);
   Error DrawTranslucentMaps(vtkRenderer* renderer);
@@ -143,7 +145,8 @@ private:
   std::vector<vtkProp*> Props;
   std::vector<vtkProp*> Opaque;
   std::vector<vtkProp*> Translucent;
-  /// Opaque and translucent props that cast shadows, and props that receive no shadows.
+  /// Opaque props that cast shadows, translucent props that cast shadows, and props that receive no
+  /// shadows.
   std::vector<vtkProp*> Occluders;
   std::vector<vtkProp*> TranslucentOccluders;
   std::vector<vtkProp*> NonReceivers;
@@ -156,7 +159,7 @@ private:
   TranslucentShadowMaps TranslucentMaps;
   LayerShader Layering;
   CameraLayers Layers;
-  /// Transmittance of volumes for the lights at a translucent layer.
+  /// Transmittance of volumes from each light to the surfaces of a translucent layer.
   LightTransmittance LayerLight;
   std::vector<float> OpaqueDepths;
   SceneLightImages Screens;

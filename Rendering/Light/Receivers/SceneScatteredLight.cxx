@@ -16,7 +16,7 @@ namespace interlume
 
 namespace
 {
-// Returns the GLSL source for one volume, with FIELD as a placeholder for the volume's index.
+// Returns the GLSL code for one volume, with FIELD as a placeholder for the volume's index.
 std::string GetFieldSource(const ScatteredLightTexture& field)
 {
   std::string source = InterlumeSceneField;
@@ -67,7 +67,7 @@ void SceneScatteredLight::ClearTextures()
 void SceneScatteredLight::SetUniforms(
   vtkShaderProgram* program, const glm::dmat4& worldFromView, bool isLit) const
 {
-  // A texture unit that no sampler of another type uses.
+  // A texture unit that is not used by samplers of other types.
   constexpr int noUnit = 15;
   const glm::dmat4 viewFromWorld = glm::inverse(worldFromView);
   for (std::size_t i = 0; i < this->Fields.size(); ++i)

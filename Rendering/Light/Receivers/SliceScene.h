@@ -26,9 +26,9 @@ class SceneOccluders;
  */
 struct SliceScene
 {
-  /// Depth of the surfaces that the camera sees behind the slices: a texture (null if there are no
-  /// surfaces), and its values row by row from the bottom. These are opaque surfaces or a
-  /// translucent layer.
+  /// Depth of the surfaces behind the slices that the camera sees: a texture (null if there are no
+  /// surfaces), and its values in row-major order from the bottom row. These are opaque surfaces or
+  /// a translucent layer.
   vtkTextureObject* CameraDepth = nullptr;
   std::vector<float> CameraDepths;
   std::array<int, 2> Size{ { 0, 0 } };
@@ -42,13 +42,13 @@ struct SliceScene
   const SceneOccluders* Occluders = nullptr;
   /// Opaque props in the shadow maps.
   std::vector<vtkProp*> Blockers;
-  /// Transmittance of translucent surfaces for the lights.
+  /// Transmittance of translucent surfaces along the light rays.
   const TranslucentShadowMaps* TranslucentMaps = nullptr;
 
-  /// Transmittance of volumes for the lights, at the surfaces that the camera sees. The
-  /// transmittance of the slices is multiplied into it.
+  /// Transmittance of volumes from each light to the surfaces that the camera sees. Each volume
+  /// multiplies the transmittance of its slices into it.
   LightTransmittance* Transmittance = nullptr;
-  /// Multiply scattered light of volumes. Each volume adds its own.
+  /// Light from multiple scattering in volumes. Each volume adds an element.
   std::vector<ScatteredLightTexture> Fields;
   vtkIdType PixelsInFront = 0;
   vtkIdType PixelsInside = 0;

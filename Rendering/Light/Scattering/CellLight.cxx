@@ -21,14 +21,14 @@ namespace interlume
 namespace
 {
 
-/// A face of the box that rays are traced through.
+/// A face of the box through which rays are traced.
 struct Side
 {
   int Axis = 0;
   bool IsUpper = false;
 };
 
-/// Sums over a task's rays, per cell.
+/// For each cell, sums over the rays of one task.
 class RaySums
 {
 public:
@@ -77,7 +77,8 @@ public:
   const std::vector<Sum>& Get() const { return this->Sums; }
 
 private:
-  /// Returns the mean transmittance in a cell and advances \a through to the exit.
+  /// Returns the mean transmittance along a ray in a cell and updates \a through to the
+  /// transmittance at the exit.
   glm::dvec3 AttenuateRay(std::size_t index, double length, glm::dvec3& through) const
   {
     const float extinction = this->Medium.Extinction[index];
@@ -101,7 +102,7 @@ private:
     return before * mean;
   }
 
-  /// Returns the mean distance from entry to extinction inside a cell.
+  /// Returns the mean distance from a ray's entry at which a cell extinguishes light.
   double GetMeanDistance(std::size_t index, double length) const
   {
     const double depth = std::max(this->Medium.Extinction[index] * length, 0.0);
@@ -113,7 +114,7 @@ private:
     return depth > 1e-4 ? -std::expm1(-depth) / depth : 1.0 - 0.5 * depth;
   }
 
-  /// Maximum number of cells along a ray between mirrors.
+  /// Maximum number of cells that a ray traverses if there are mirrors.
   static constexpr int MaximumCells = 10000;
 
   const ScatteringMedium& Medium;
@@ -194,7 +195,7 @@ private:
 
   const ScatteringMedium& Medium;
   const ScatteringLight& Light;
-  /// Position of the light, in cells.
+  /// Position of the light, in cells from the lower corner of the box.
   glm::dvec3 LightPosition;
   Side Face;
   int Rays;
@@ -284,8 +285,8 @@ std::vector<glm::vec3> CellLight::Find(const ScatteringMedium& medium,
       }
     }
   }
-  // Rays sample slightly more or less than a cell's volume. Cells must not extinguish more light
-  // than rays lose.
+  // The rays in a cell represent slightly more or less than its volume. The cells must not
+  // extinguish more light in total than the rays lose.
   glm::vec3 factor(1.0f);
   for (int color = 0; color < 3; ++color)
   {

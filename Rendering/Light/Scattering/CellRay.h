@@ -17,13 +17,13 @@ namespace interlume
 
 /**
  * @class   CellRay
- * @brief   traverses the cells along a ray, which mirrors reflect
+ * @brief   traverses the cells along a ray that mirrors reflect
  */
 class CellRay
 {
 public:
-  /// \a position is a position in the box, in cells from its lower corner. \a direction has length
-  /// 1 in world units, along the axes of the box.
+  /// \a position is a position in the box, in cells from its lower corner. \a direction has
+  /// components along the axes of the box and length 1 in world units.
   CellRay(const ScatteringMedium& medium, const glm::dvec3& position, const glm::dvec3& direction)
     : CellRay(medium, glm::clamp(glm::ivec3(glm::floor(position)), glm::ivec3(0), medium.Cells - 1),
         position, direction)
@@ -59,12 +59,12 @@ public:
   std::size_t GetIndex() const { return static_cast<std::size_t>(this->Index); }
   /// Returns the direction in this cell. Mirrors change it.
   const glm::dvec3& GetDirection() const { return this->Direction; }
-  /// Returns the distance from the start at which the ray enters or exits this cell.
+  /// Returns the distance from the ray's start at which it enters or exits this cell.
   double GetEntry() const { return this->Entry; }
   double GetExit() const { return this->Next[this->Axis]; }
 
-  /// Returns the position at a distance from the start, within this cell, in cells from the lower
-  /// corner.
+  /// Returns the position at a distance from the ray's start, within this cell, in cells from the
+  /// lower corner of the box.
   glm::dvec3 GetPosition(double distance) const
   {
     glm::dvec3 position;
@@ -114,15 +114,15 @@ private:
   const ScatteringMedium& Medium;
   glm::ivec3 Cell;
   glm::dvec3 Direction;
-  /// The cell's index, and its change per step along each axis.
+  /// The cell's index, and the change of the index per step along each axis.
   std::ptrdiff_t Index;
   std::array<std::ptrdiff_t, 3> Strides{};
-  /// For each axis, the length of the ray between two cell boundaries, and the distance from its
-  /// start to the next boundary.
+  /// For each axis, the length of the ray between two cell boundaries, and the distance from the
+  /// ray's start to the next boundary.
   glm::dvec3 Step{ std::numeric_limits<double>::infinity() };
   glm::dvec3 Next{ std::numeric_limits<double>::infinity() };
   double Entry = 0.0;
-  /// Position of the start within its cell, 0 to 1 along each axis.
+  /// Position of the ray's start within its cell, from 0 to 1 along each axis.
   glm::dvec3 Within{ 0.5 };
   int Axis = 0;
 };

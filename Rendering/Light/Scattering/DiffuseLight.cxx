@@ -19,8 +19,8 @@ namespace interlume
 namespace
 {
 
-/// Extinction, relative to the medium's weighted mean, below which light escapes freely from a
-/// cell.
+/// Ratio of a cell's transport extinction to the medium's extinction-weighted mean, below which
+/// light escapes freely from the cell.
 constexpr double ThinFraction = 0.2;
 /// Ratio of outward flux to fluence at an open boundary.
 constexpr double Outflow = 0.5;
@@ -63,7 +63,7 @@ public:
       this->RightSide, fluence, this->Input.Tolerance, this->Input.MaximumCycles, cycles);
   }
 
-  /// Returns the net flux in a cell, the mean over its two faces along each axis.
+  /// Returns the net flux in a cell, averaged over its two faces along each axis.
   glm::dvec3 GetFlux(const glm::ivec3& cell, const std::vector<double>& fluence) const
   {
     glm::dvec3 flux(0.0);
@@ -78,9 +78,9 @@ public:
   }
 
   /**
-   * Returns the fluence of a cell as seen from outside. Cameras see only about one mean free path
-   * deep into a thick cell. The result is the fluence that emits the flux through the faces toward
-   * thinner cells. A thin cell uses the fluence at its center.
+   * Returns the fluence of a cell as seen from outside. For a thin cell, this is the fluence at its
+   * center. A camera sees only about one mean free path deep into a thick cell, so its fluence is
+   * computed from the flux through the faces toward thinner cells.
    */
   double GetSeen(const glm::ivec3& cell, const std::vector<double>& fluence) const
   {
@@ -118,7 +118,7 @@ public:
   }
 
 private:
-  /// Returns the fraction of light through a cell face that escapes.
+  /// Returns the fraction of the light through a cell face that escapes.
   double GetOpenness(const glm::ivec3& cell, int axis, int side) const
   {
     std::size_t other = this->Medium.Box.GetIndex(cell);
@@ -131,8 +131,8 @@ private:
   }
 
   /// Returns the flux of singly scattered light through a face of a thick cell. GetSeen subtracts
-  /// it, since single scattering is rendered separately. Light falling off as
-  /// exp(-k depth) contributes (1 - log(1 + k) / k) / 2.
+  /// it, since single scattering is rendered separately. If the light decreases as exp(-k depth)
+  /// from the face, the flux is the fraction (1 - log(1 + k) / k) / 2 of the source.
   double GetSingle(std::size_t at, int axis, int side) const
   {
     const double size = this->Medium.Box.CellSize[axis];
@@ -179,14 +179,14 @@ private:
         }
       }
     }
-    // In any medium, light does not escape freely from a cell whose optical depth along its longest
-    // edge is above 0.5.
+    // In any medium, the bound is low enough that light does not escape freely from a cell whose
+    // optical depth along its longest edge is above 0.5.
     const glm::dvec3& size = box.CellSize;
     this->MinimumExtinction = std::min(
       sum > 0.0 ? ThinFraction * squares / sum : 1.0, 0.5 / std::max({ size.x, size.y, size.z }));
   }
 
-  /// Returns the fraction of a source that leaves its cell through a face. \a distance is the
+  /// Returns the fraction of a cell's source that leaves through a face. \a distance is the
   /// distance of the source from the cell center toward the face, in cells. \a beyond is the
   /// conductance on the face's far side.
   double GetOutwardFraction(std::size_t at, int axis, double distance, double beyond) const
@@ -197,8 +197,8 @@ private:
     return outwards / (inwards + outwards);
   }
 
-  /// Distributes a cell's source to the cell and its neighbors so that the source's position is
-  /// preserved. The part that an open face transmits leaves the box.
+  /// Distributes a cell's source to the cell and its neighbors so that the position of the source
+  /// is preserved. The part that an open face transmits leaves the medium.
   void AddSource(const glm::ivec3& cell, std::size_t at)
   {
     const double own = this->Source[at] * this->Medium.CellVolume;
@@ -241,7 +241,7 @@ private:
     return std::max(this->Extinction[cell], this->MinimumExtinction);
   }
 
-  /// Type of a cell face: to a neighbor, a mirror, or open.
+  /// Type of a cell face: a face to a neighbor cell, a mirror, or an open boundary.
   enum class SideKind
   {
     Inner,
@@ -261,7 +261,8 @@ private:
     return box.IsBlocked(neighbor) ? SideKind::Open : SideKind::Inner;
   }
 
-  /// Returns the conductance D / size between a cell center and a face.
+  /// Returns the conductance between a cell center and a face: the diffusion coefficient, which is
+  /// 1 / (3 extinction), divided by the distance.
   double GetConductance(std::size_t cell, int axis) const
   {
     return 2.0 / (3.0 * this->GetExtinction(cell) * this->Medium.Box.CellSize[axis]);
@@ -312,8 +313,8 @@ private:
           const double volume = this->Medium.CellVolume;
           const double extinction = this->GetExtinction(at);
           const double albedo = this->Medium.Albedo[at][this->Color];
-          // With this sink, F = Outflow phi in thicker cells next to this cell, since D times the
-          // sink is Outflow^2.
+          // With this sink, the flux from adjacent thicker cells is Outflow times the fluence,
+          // since the product of the sink and the diffusion coefficient is Outflow^2.
           const double escape = 3.0 * Outflow * Outflow * (extinction - this->Extinction[at]);
           double absorbed = this->Medium.Extinction[at] * (1.0 - albedo) + escape;
           if (this->Input.BackwardLayers > 0)
@@ -332,7 +333,7 @@ private:
         }
       }
     }
-    // Without any sink the equations are singular. This sink is too weak to be visible.
+    // Without any sink, the equations are singular. This sink is too weak to be visible.
     for (std::size_t i = 0; i < sink.size(); ++i)
     {
       sink[i] += box.IsBlocked(i)
@@ -379,7 +380,8 @@ private:
   /// Transport extinction e (1 - a g).
   std::vector<double> Extinction;
   std::vector<double> RightSide;
-  /// Part of each cell's source that AddSource moves through a face along each axis, with its sign.
+  /// Part of each cell's source that AddSource moves through a face along each axis. It is negative
+  /// if the face is the lower one.
   std::vector<glm::dvec3> Transferred;
   double MinimumExtinction = 1.0;
   double Total = 0.0;
@@ -397,16 +399,16 @@ DiffuseLight::Output DiffuseLight::Solve(const SanitizedMedium& medium, const In
   output.Drop.assign(input.BackwardLayers > 0 ? cells : 0, 0.0f);
   std::vector<glm::dvec3> flux(cells, glm::dvec3(0.0));
   std::vector<double> fluence(cells, 0.0);
-  // The equations that fluence solves. Channels with the same equations share this object, because
-  // Solve computes some of its members.
+  // The equations that \a fluence solves. A channel with the same equations uses this object
+  // instead of its own, since GetSeen needs members that Solve computes.
   std::unique_ptr<ColorEquations> equations;
   for (int color = 0; color < 3; ++color)
   {
     auto own = std::make_unique<ColorEquations>(medium, input, color);
     if (!equations || !own->HasSameEquations(*equations))
     {
-      // If the previous channel differs only by a factor, its scaled solution is a good initial
-      // guess.
+      // If the channels differ only by a factor, the scaled solution of the previous channel is a
+      // good initial guess.
       const double factor =
         equations && equations->GetTotal() > 0.0 ? own->GetTotal() / equations->GetTotal() : 0.0;
       for (double& value : fluence)

@@ -40,8 +40,8 @@ void ForLayers(const glm::ivec3& cells, Work&& work)
   vtkSMPTools::For(0, cells.z, 4, range);
 }
 
-/// Returns the scalar product, summed per layer so that it does not depend on the number of
-/// threads.
+/// Returns the dot product. It is summed per layer so that the result does not depend on the number
+/// of threads.
 double Product(const glm::ivec3& cells, const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> sums(static_cast<std::size_t>(cells.z));
@@ -64,7 +64,7 @@ double Product(const glm::ivec3& cells, const std::vector<double>& a, const std:
   return sum;
 }
 
-/// Replaces \a a by s a + t b.
+/// Sets \a a to s a + t b.
 void Combine(
   const glm::ivec3& cells, double s, std::vector<double>& a, double t, const std::vector<double>& b)
 {
@@ -248,7 +248,7 @@ void DiffusionGrid::Cycle(std::size_t number)
           for (int i = 0; i < cells.x; ++i)
           {
             const std::size_t at = Index(cells, i, j, k);
-            // Cells of the checkerboard color smoothed last have no residual.
+            // Cells of checkerboard color 1 were smoothed last and have a residual of 0.
             if ((i + j + k) % 2 == 0 && level.Inverse[at] > 0.0)
             {
               coarse.Source[Index(coarse.Cells, i / 2, j / 2, kk)] += level.Source[at] -

@@ -13,14 +13,16 @@ namespace interlume
 
 /**
  * @class   DiffusionGrid
- * @brief   solves diffusion equations on the cells of a box
+ * @brief   solves a diffusion equation on the cells of a box
  *
- *   Sink_i x_i + sum_j Coupling_ij (x_i - x_j) = b_i   over the up to six neighbors j of cell i
+ * The equation for cell i, with its up to six neighbors j, is
+ *
+ *   Sink_i x_i + sum_j Coupling_ij (x_i - x_j) = b_i
  *
  * The solver is the conjugate gradient method, preconditioned by one multigrid V-cycle. Coarsening
- * merges two cells along each axis. The coupling of two merged cells is half the sum of the
- * couplings across their common face, because the distance of the cell centers doubles. The result
- * does not depend on the number of threads.
+ * merges pairs of cells along each axis. The coupling between two coarse cells is half the sum of
+ * the couplings across their common face, because the distance between cell centers doubles. The
+ * result does not depend on the number of threads.
  */
 class DiffusionGrid
 {
@@ -34,9 +36,9 @@ public:
   void Prepare();
 
   /**
-   * Improves \a x until the residual is at most \a tolerance times the Euclidean norm of b, or for
-   * at most \a maximumCycles cycles. Returns the relative residual and sets \a cycles to the number
-   * of cycles done.
+   * Improves \a x until the residual is at most \a tolerance times the Euclidean norm of b, or
+   * until \a maximumCycles conjugate gradient iterations are done. Sets \a cycles to the number of
+   * iterations. Returns the relative residual.
    */
   double Solve(const std::vector<double>& b, std::vector<double>& x, double tolerance,
     int maximumCycles, int& cycles);
@@ -47,7 +49,7 @@ private:
     glm::ivec3 Cells{ 1 };
     std::array<std::vector<double>, 3> Coupling;
     std::vector<double> Sink;
-    /// Reciprocal of the sum of the sink and the couplings.
+    /// For each cell, the reciprocal of the sum of its sink and couplings.
     std::vector<double> Inverse;
     std::vector<double> Solution;
     std::vector<double> Source;

@@ -26,21 +26,20 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// A direction in which light leaves the box, and its fraction of the sphere.
+/// A direction in which light leaves the box, and the fraction of the sphere that it represents.
 struct Ordinate
 {
   glm::dvec3 Out{ 0.0 };
   double Weight = 0.0;
-  /// Offset of rays within their grid on a face. Directions around one axis have different offsets,
-  /// and so do directions at the same angle around different axes. Together they sample a cell
-  /// uniformly.
+  /// Position of each ray within its cell of the ray grid on a box face. It differs between
+  /// directions, so that together they sample the face uniformly.
   glm::dvec2 Offset{ 0.5 };
 };
 
 /**
- * Returns 192 directions: around each axis, eight azimuths for each cosine of Gauss-Legendre
- * quadrature between 0 and 1, and for the negative of each cosine. Directions close to each axis
- * plane are included, so light along thin layers is sampled too.
+ * Returns 192 directions: eight azimuths around each axis, for each of four Gauss-Legendre cosines
+ * between 0 and 1 and their negatives. Some directions are nearly parallel to a coordinate plane,
+ * so that light along thin layers is sampled too.
  */
 std::vector<Ordinate> MakeOrdinates()
 {
@@ -52,7 +51,7 @@ std::vector<Ordinate> MakeOrdinates()
   {
     for (std::size_t i = 0; i < 8; ++i)
     {
-      // Each node has two signs, and each cosine is used on both hemispheres.
+      // Boost stores only the positive nodes. Each cosine is used in both hemispheres.
       const double node = (i & 1 ? -1.0 : 1.0) * nodes[i / 4];
       const double cosine = 0.5 * (1.0 + node);
       const double across = std::sqrt(1.0 - cosine * cosine);
@@ -74,7 +73,7 @@ std::vector<Ordinate> MakeOrdinates()
   return ordinates;
 }
 
-/// The phase function relative to an isotropic one, averaged over the solid angle of a direction.
+/// The phase function relative to an isotropic one, averaged over the solid angle of an ordinate.
 class MeanPhase
 {
 public:
@@ -118,8 +117,8 @@ private:
 constexpr int MaximumRays = 8;
 
 /**
- * The fields of all sources, interleaved per cell: a fluence per source, followed by its NetFlux
- * field if it has one. A ray samples all of them in the same eight cells.
+ * The fields of all sources, interleaved per cell: for each source its Fluence, followed by its
+ * NetFlux if it has one. A ray samples all fields at the same positions.
  */
 class SourceFields
 {
@@ -218,7 +217,8 @@ public:
   }
 
 private:
-  /// Follows a ray from its exit out of the box back to its entry.
+  /// Follows a ray against the direction of light, from where light leaves the box to where it
+  /// enters.
   void Follow(CellRay ray, double area)
   {
     const ScatteringMedium& box = this->Cells.Box;
@@ -231,7 +231,7 @@ private:
       const double extinction = this->Cells.Extinction[cell];
       if (box.IsBlocked(cell))
       {
-        // A blocked cell absorbs light from behind it.
+        // A blocked cell absorbs all light that comes from behind it.
         through = 1.0;
         lost = 0.0;
         isBlocked = true;
@@ -244,14 +244,14 @@ private:
         {
           continue;
         }
-        // ended is depth - own, computed without cancellation for small depths.
+        // Compute depth - (1 - left) without cancellation for small depths.
         const double left = std::exp(-depth);
         const double ended = depth < 1e-2
           ? depth * depth * (0.5 - depth * (1.0 / 6.0 - depth / 24.0))
           : depth - 1.0 + left;
         const double own = depth - ended;
         this->SampledDepth += area * depth;
-        // The mean visible position along the ray in this cell, at which slices sample the fields.
+        // Sample at the mean visible position of the segment, as slices do.
         const double part = depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - left / own;
         this->FindSeen(ray.GetPosition(ray.GetEntry() + part * length), cell);
         const double recaptured = area * (depth * lost + through * ended);
@@ -271,7 +271,7 @@ private:
   }
 
   /// Samples all fields at a position inside \a cell or on its boundary. Blocked cells have no
-  /// values, so the values of \a cell replace them.
+  /// values, so the values of \a cell are used instead.
   void FindSeen(const glm::dvec3& position, std::size_t cell)
   {
     const ScatteringMedium& box = this->Cells.Box;
@@ -308,7 +308,8 @@ private:
     return this->Phase.Get(glm::dot(light.GetDirection(center), out));
   }
 
-  /// Returns the light that a source emits against the ray. Advances \a seen to the next source.
+  /// Returns the light that a source emits toward the start of the ray. Advances \a seen to the
+  /// fields of the next source.
   glm::vec3 GetColor(
     std::size_t number, const CellRay& ray, std::size_t cell, const glm::vec4*& seen) const
   {
@@ -338,7 +339,7 @@ private:
   double Weight;
   glm::dvec2 Offset;
   bool IsBack;
-  /// Relative phase function of each directional light toward Out.
+  /// For each source with a directional light, the relative phase function toward Out.
   std::vector<double> Factors;
   /// The fields sampled at the current position.
   std::vector<glm::vec4> Seen;
@@ -371,7 +372,7 @@ void EscapeRays::Sums::ScaleTo(const glm::dvec3& sent)
   for (int color = 0; color < 3; ++color)
   {
     factor[color] = found[color] > 0.0 ? sent[color] / found[color] : 1.0;
-    // No ray enters a box with mirrors on all faces.
+    // No ray enters a box with mirrors on all faces, so all light is recaptured.
     this->Recaptured[color] = found[color] > 0.0 ? this->Recaptured[color] : sent[color];
   }
   this->Scale(factor);
@@ -423,7 +424,7 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const SanitizedMedium& medium,
       sums[i].Add(part[i]);
     }
     // Correct two errors: the rays sample slightly more or less optical depth than the medium has,
-    // and the directions are too few to sample a narrow phase function accurately.
+    // and there are too few directions to sample a narrow phase function accurately.
     glm::dvec3 sent(0.0);
     for (std::size_t cell = 0; cell < medium.Extinction.size(); ++cell)
     {

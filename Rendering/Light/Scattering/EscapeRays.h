@@ -15,18 +15,17 @@ namespace interlume
  * @class   EscapeRays
  * @brief   computes the fraction of scattered light that escapes the medium
  *
- * Traces rays in 192 directions, like the view rays of cameras around the box. In each direction,
- * there is one ray per cell on the visible faces of the box, but at most 8 along an edge. Fields
- * are interpolated linearly between cell centers and sampled at the positions where slices sample
- * them.
+ * Traces rays in 192 directions, like the view rays of cameras around the box. For each direction,
+ * the visible faces of the box have one ray per cell, but at most 8 along an edge. Rays sample the
+ * fields, interpolated linearly between cell centers, at the same positions as slices do.
  */
 class EscapeRays
 {
 public:
   /**
-   * Light that a cell scatters into direction w per unit of optical depth: its albedo times Fluence
-   * (1 + NetFluxFactor NetFlux . w). If Light is set, Fluence is light that travels in the
-   * direction of that light's rays, and the factor in parentheses is replaced by the phase function
+   * A source of scattered light. Per unit of optical depth, a cell scatters its albedo times
+   * Fluence (1 + NetFluxFactor NetFlux . w) into direction w. If Light is set, Fluence travels in
+   * the direction of Light, and the factor in parentheses is replaced with the phase function
    * toward w relative to an isotropic one.
    */
   struct Source
@@ -41,7 +40,7 @@ public:
   {
     /// Light that interacts with the medium again.
     glm::dvec3 Recaptured{ 0.0 };
-    /// Light that leaves the box, by the sign of its component along the direction passed to Trace.
+    /// Light that leaves the box against and along the direction passed to Trace.
     glm::dvec3 Backward{ 0.0 };
     glm::dvec3 Forward{ 0.0 };
     /// Light absorbed by blocked cells.
@@ -52,14 +51,14 @@ public:
     void Scale(const glm::dvec3& factor);
     /// Scales all parts by one factor so that their sum is \a sent.
     void ScaleTo(const glm::dvec3& sent);
-    /// Scales by \a medium, the ratio of the medium's optical depth to the optical depth that the
-    /// rays sample. The larger the escaping fraction, the more of this correction applies: light
-    /// escapes from thick media only near the surface.
+    /// Corrects for the optical depth that the rays miss. \a medium is the ratio of the true
+    /// optical depth to the sampled one. The correction is proportional to the escaping fraction,
+    /// because light escapes from thick media only near the surface.
     void ScaleOut(double medium);
   };
 
-  /// Traces several sources at once. Light that leaves in a direction with a negative component
-  /// along \a direction is summed separately.
+  /// Traces several sources at once and returns the sums of each. \a direction separates the
+  /// escaping light into Backward and Forward.
   static std::vector<Sums> Trace(const SanitizedMedium& medium, const PhaseFunction& phase,
     const std::vector<Source>& sources, const glm::dvec3& direction);
 };

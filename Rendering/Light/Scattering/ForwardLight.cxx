@@ -25,20 +25,20 @@ constexpr double MaximumAngleVariance = 1.0 / 3.0;
 constexpr double MaximumKernelVariance = 400.0;
 /// Maximum variance of a kernel of three cells.
 constexpr double MaximumThreeCellVariance = 0.75;
-/// Width of the margin around the box relative to the width of the box. Kernels return some of the
-/// light in the margin.
+/// Width of the margin around the box, relative to the width of the box. Kernels spread some of the
+/// light in the margin back into the box.
 constexpr double MarginFraction = 0.25;
 
-/// Light passed from a cell to the next layer. All members except Light are multiplied by the sum
-/// of Light over the colors.
+/// Light passed from a cell to the next layer. The moments are multiplied by the sum of Light over
+/// the colors.
 struct Beam
 {
   glm::dvec3 Light{ 0.0 };
   /// Variance of the angle, and covariance of angle and position.
   double AngleVariance = 0.0;
   double Covariance = 0.0;
-  /// Variance of position that remains to be applied along two axes, in squared cells. Negative if
-  /// a kernel was too wide.
+  /// Variance of position along two axes, in squared cells, that kernels have not applied yet.
+  /// Negative if a kernel was too wide.
   std::array<double, 2> PositionVariance{};
 
   double GetSum() const { return this->Light.x + this->Light.y + this->Light.z; }
@@ -52,7 +52,7 @@ struct Beam
   }
 };
 
-/// Weights of the cells around a position with the given mean and variance.
+/// One-dimensional weights of cells, with a given mean and variance of position.
 struct Kernel
 {
   /// Computes weights of three cells or, if \a isWide, of as many as needed. Sets \a variance to
@@ -108,7 +108,8 @@ struct Kernel
     Weights; // NOLINT(cppcoreguidelines-pro-type-member-init)
 };
 
-/// Returns the index of a cell in a row, wrapped around if \a isEndless, or -1 outside.
+/// Returns \a index, wrapped around if \a isEndless. Otherwise, returns -1 if it is outside the row
+/// of \a cells cells.
 int WrapIndex(int index, int cells, bool isEndless)
 {
   if (isEndless)
@@ -132,8 +133,8 @@ public:
 
   /**
    * Propagates a beam through a cell, along a path of \a length. Returns the mean light along the
-   * path. \a spread converts the variance of position from square world units to squared cells, for
-   * each of two axes.
+   * path. For each of two axes, \a spread converts a position variance from squared world units to
+   * squared cells.
    */
   glm::dvec3 Go(
     std::size_t cell, double length, const std::array<double, 2>& spread, Beam& beam) const
@@ -193,8 +194,8 @@ public:
     const double addedAngle = this->Variance * scatterings;
     beam.AngleVariance = std::min(angle + addedAngle, MaximumAngleVariance * after);
     beam.Covariance = cross + angle * length + 0.5 * addedAngle * length;
-    // Positions refer to the center of a layer: half of the next layer's drift is included here,
-    // and half of this layer's drift was included in the previous step.
+    // Positions refer to layer centers: add the variance of the first half of the next layer, and
+    // subtract that of the first half of this layer, which was added in the previous step.
     const double location = 2.0 * cross * length + (angle + addedAngle / 3.0) * length * length -
       GetDrift(angle, cross, length) + GetDrift(beam.AngleVariance, beam.Covariance, length);
     for (std::size_t axis = 0; axis < 2; ++axis)
@@ -243,7 +244,7 @@ public:
   {
   }
 
-  /// Applies the kernels along one axis after the other.
+  /// Applies the kernels along each of the two axes in turn.
   void Go(std::vector<Beam>& beams)
   {
     for (int axis = 0; axis < 2; ++axis)
@@ -300,7 +301,8 @@ std::vector<glm::vec3> SolveLayers(
 {
   const ScatteringMedium& box = medium.Box;
   const glm::dvec3 inCells = direction / box.CellSize;
-  // Light enters through faces without mirrors, so an axis with mirrors is the last choice.
+  // No light enters through mirrors, so layers are perpendicular to an axis without mirrors if
+  // possible.
   glm::dvec3 open = inCells;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -18,9 +18,9 @@ namespace interlume
 namespace LightSlopes
 {
 /**
- * Returns for each cell and axis the logarithm of the ratio of light at the lower face to light at
- * the upper face, averaged over \a lights. It is estimated from neighbor cells and is at most the
- * optical depth of the cell.
+ * Returns, for each cell and axis, the logarithm of the ratio of the light at the lower face to the
+ * light at the upper face, averaged over \a lights. It is estimated from neighboring cells, and its
+ * absolute value is at most the optical depth of the cell along the light.
  */
 std::vector<glm::vec3> Find(
   const SanitizedMedium& medium, const std::vector<std::vector<glm::vec3>>& lights);

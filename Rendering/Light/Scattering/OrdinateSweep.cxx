@@ -30,15 +30,16 @@ constexpr std::size_t Octants = 8;
 /// depends too much on the cell size.
 constexpr float DepthFalloff = 1.5f;
 
-/// S4 directions in the first octant. Their second moments equal the moments of the sphere.
+/// S4 directions in the first octant. The second moments of all directions equal those of the
+/// uniform distribution on the sphere.
 constexpr double Low = 0.3500212;
 constexpr double High = 0.8688903;
 const std::array<glm::dvec3, 3> Ordinates = { { { High, Low, Low }, { Low, High, Low },
   { Low, Low, High } } };
 constexpr float OrdinateWeight = 1.0f / (Octants * 3);
 
-/// Light emitted by a cell per unit length, Isotropic + Linear . w, and the cell's scaled
-/// extinction.
+/// Light that a cell scatters into direction w per unit length, Isotropic + Linear . w, and the
+/// delta-scaled extinction of the cell.
 struct Source
 {
   glm::vec4 Isotropic{ 0.0f };

@@ -13,9 +13,9 @@ namespace interlume
  * @class   PhaseFunction
  * @brief   the angular distribution of scattered light
  *
- * The phase function p depends on the cosine between the directions of light before and after
- * scattering, in 1/steradian. Its integral over the sphere is 1: 2 pi times its integral over the
- * cosine from -1 to 1. By default it is isotropic: p = 1 / (4 pi).
+ * The phase function p, in 1/steradian, depends on the cosine of the angle between the directions
+ * of light before and after scattering. Its integral over the sphere is 1: 2 pi times its integral
+ * over the cosine from -1 to 1. By default it is isotropic: p = 1 / (4 pi).
  */
 class PhaseFunction
 {
@@ -44,7 +44,7 @@ public:
   /**
    * Returns the variance that one scattering event adds to the angle of forward-scattered light,
    * along each of two transverse axes: half the mean of sin^2 of the angle over forward directions.
-   * It is in square radians if angles are small, and 1/3 for an isotropic function.
+   * It is in squared radians for small angles, and 1/3 for an isotropic function.
    */
   double ForwardVariance() const;
 

@@ -24,11 +24,11 @@ struct SanitizedMedium
 {
   SanitizedMedium(const ScatteringMedium& medium, const std::vector<ScatteringLight>& lights);
 
-  /// The grid, its mirrors and its blocked cells. Its Extinction and Albedo are empty.
+  /// The grid with its mirrors and blocked cells. Box.Extinction and Box.Albedo are empty.
   ScatteringMedium Box;
   std::vector<float> Extinction;
   std::vector<glm::vec3> Albedo;
-  /// The unscattered light per cell, for each light.
+  /// For each light, the unscattered light in each cell.
   std::vector<std::vector<glm::vec3>> Direct;
   std::vector<ScatteringLight> Lights;
   /// Number of cells with a non-finite value.

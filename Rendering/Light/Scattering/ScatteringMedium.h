@@ -24,23 +24,23 @@ namespace interlume
 struct ScatteringMedium
 {
   glm::ivec3 Cells{ 0 };
-  /// Cell size in world units. Cubes give the best accuracy. Aspect ratios above 2 are valid but
-  /// less accurate.
+  /// Cell size in world units. Cubic cells give the best accuracy. Aspect ratios above 2 are valid
+  /// but less accurate.
   glm::dvec3 CellSize{ 1.0 };
-  /// Lower corner of the box, in the coordinates of light positions.
+  /// Lower corner of the box, in the same coordinates as light positions.
   glm::dvec3 Origin{ 0.0 };
-  /// Mean extinction of each cell, in 1 / world unit. Values that are negative or not finite are
-  /// treated as 0; cells with non-finite values are counted in the report.
+  /// Mean extinction of each cell per world unit. Values that are negative or not finite are
+  /// treated as 0; ScatteringReport counts the cells with non-finite values.
   std::vector<float> Extinction;
   /// Fraction of extinguished light that is scattered, for red, green and blue. Clamped to the
   /// range from 0 to 1; NaN is treated as 0.
   std::vector<glm::vec3> Albedo;
-  /// Nonzero for cells filled by opaque surfaces, which absorb all light. Empty if there are no
+  /// Nonzero for cells that opaque surfaces intersect. They absorb all light. Empty if there are no
   /// such cells.
   std::vector<unsigned char> Blocked;
   PhaseFunction Phase;
-  /// Axes along which both faces of the box are mirrors. The medium then repeats to infinity along
-  /// them.
+  /// Axes along which both faces of the box are mirrors. The medium then repeats infinitely along
+  /// these axes.
   glm::bvec3 Mirrors{ false };
 
   std::size_t GetNumberOfCells() const;

@@ -182,7 +182,8 @@ private:
     return direction;
   }
 
-  /// Traces singly scattered light of each light, then forward light of each light, then \a others.
+  /// Returns the sums for the singly scattered light of each light, then for the forward light of
+  /// each light, then for \a others.
   std::vector<EscapeRays::Sums> TraceLights(const std::vector<EscapeRays::Source>& others) const
   {
     const glm::dvec3 direction = this->GetMainDirection();
@@ -207,10 +208,10 @@ private:
   }
 
   /**
-   * Scales the forward light of each light so that at most \a fraction of the recaptured single
-   * scattering feeds it. Returns the rest of the recaptured light. Forward light is assumed to
+   * Scales down the forward light of each light if it needs more than \a fraction of the recaptured
+   * singly scattered light. Returns the remaining recaptured light. Forward light is assumed to
    * travel in the direction of the unscattered light. At grazing incidence, it therefore reaches
-   * deeper than it would with the angles of the phase function.
+   * deeper than light with the true scattering angles.
    */
   glm::dvec3 LimitForward(std::vector<EscapeRays::Sums> const& sums, double fraction)
   {
@@ -264,16 +265,17 @@ private:
   }
 
   /**
-   * Scales the fluence to conserve energy: light that cameras around the box see and light that the
-   * medium absorbs add up to the light that it extinguishes. With K the recaptured part of the
-   * scattered direct and forward light,
+   * Scales the fluence to conserve energy: the light that cameras around the box see and the light
+   * that the medium absorbs add up to the light that the medium extinguishes. The factor satisfies
    *
-   *   K - (recaptured light that feeds forward light) = factor (out(fluence) + absorbed(fluence)).
+   *   K - (part of K that becomes forward light) = factor (out(fluence) + absorbed(fluence)),
+   *
+   * where K is the recaptured part of the singly scattered light.
    */
   void Balance(const DiffuseLight::Input& input, DiffuseLight::Output& diffuse)
   {
-    // The diffusion solution can be 0 if all light leaves immediately, through a thick cell or
-    // along a thin one. Add a small fluence that can be scaled.
+    // The diffusion solution can be 0 if all light leaves the medium at once. Add a small fluence
+    // that can be scaled.
     for (std::size_t i = 0; i < diffuse.Fluence.size(); ++i)
     {
       for (const std::vector<glm::vec3>& light : input.Lights)
@@ -331,7 +333,7 @@ private:
    * Limits the fluence to the maximum in a half space without absorption, relative to the incident
    * light: sqrt(3) H(1) deep inside, and H(1)^2 / 2 - 1 / 2 near the surface, where H is
    * Chandrasekhar's function and the last term is single scattering. Returns true if a value was
-   * reduced. There is no such limit between mirrors.
+   * reduced. Does nothing if the box has mirrors, since there is no such limit between mirrors.
    */
   bool LimitFluence(std::vector<glm::vec3>& fluence) const
   {
@@ -370,7 +372,8 @@ private:
           number / (box.Cells.x * box.Cells.y));
         const glm::dvec3 way =
           this->Medium.Lights[light].GetDirection(box.Origin + (cell + 0.5) * box.CellSize);
-        // Mean path length through a cell, for light that enters through up to three faces.
+        // Light enters a cell through up to three faces. Its mean path length in the cell is the
+        // reciprocal of the sum of the speeds.
         const glm::dvec3 speed = glm::abs(way) / box.CellSize;
         const double depth =
           this->Medium.Extinction[i] / std::max(speed.x + speed.y + speed.z, 1e-300);
@@ -383,14 +386,14 @@ private:
     return sum;
   }
 
-  /// Maximum fraction of a light's recaptured energy that its forward light uses in mode Full.
+  /// Maximum fraction of the recaptured light that can become forward light in mode Full.
   static constexpr double MaximumForwardFraction = 0.75;
 
   SanitizedMedium Medium;
   PhaseFunction Phase;
   /// Result of LightSlopes::Find.
   std::vector<glm::vec3> Slopes;
-  /// Scale factors of forward lights, set by LimitForward.
+  /// Scale factor of the forward light of each light, set by LimitForward.
   std::vector<glm::dvec3> ForwardScale;
   const ScatteringSettings& Settings;
   ScatteredLight& Field;

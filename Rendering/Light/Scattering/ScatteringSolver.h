@@ -24,16 +24,17 @@ enum class ScatteringMode
 /// Settings of the solver.
 struct ScatteringSettings
 {
-  /// Variance added per unit of scattering optical depth to the angle along each of two transverse
-  /// axes, in square radians, for mode Forward. If negative, PhaseFunction::ForwardVariance is
+  /// Variance added to the angle along each of two transverse axes, per unit of scattering optical
+  /// depth, in squared radians, for mode Forward. If negative, PhaseFunction::ForwardVariance is
   /// used.
   double AngleVariance = -1.0;
-  /// Number of cell layers behind a position, away from the light, from which light returns to it
-  /// in mode Full; 0 means all. Light from farther layers is dropped by a sink of 1 / (3 extinction
-  /// (layers times cell size)^2). The cutoff is gradual: even many layers lose part of the returned
-  /// light.
+  /// In mode Full, light returns to a position only from this many cell layers behind it, as seen
+  /// from the light; 0 means all layers. Light from farther layers is dropped by a sink of
+  /// 1 / (3 extinction (layers times cell size)^2). The cutoff is gradual: even with many layers,
+  /// part of the returning light is lost.
   int BackwardLayers = 0;
-  /// Relative residual at which mode Full stops, and the maximum number of cycles.
+  /// Relative residual at which the diffusion solver of mode Full stops, and its maximum number of
+  /// iterations per color channel.
   double Tolerance = 1e-3;
   int MaximumCycles = 100;
 };
@@ -42,19 +43,19 @@ struct ScatteringSettings
 /// color channels.
 struct ScatteringReport
 {
-  /// Layers of mode Forward, summed over all lights, and cycles of mode Full, summed over the color
-  /// channels.
+  /// Number of layers of forward light, summed over all lights, and number of iterations of the
+  /// diffusion solver, summed over the color channels.
   int Layers = 0;
   int Cycles = 0;
-  /// Relative residual of mode Full, the maximum over the color channels.
+  /// Maximum relative residual over the color channels, in mode Full.
   double Residual = 0.0;
   /// Number of cells with non-finite extinction, albedo or light, which are treated as 0.
   std::size_t BadCells = 0;
   /// Energy that the medium removes from the direct light.
   double Taken = 0.0;
-  /// The parts of Taken: energy absorbed by the medium and blocked cells, energy that leaves toward
-  /// the lights' side, energy that leaves toward the other side, and dropped energy. BackwardLayers
-  /// drops energy, and mode Forward drops all that is not scattered forward.
+  /// The parts of Taken: energy absorbed by the medium and by blocked cells, energy that leaves the
+  /// box toward the lights, energy that leaves away from the lights, and dropped energy.
+  /// BackwardLayers drops energy, and mode Forward drops all light that is not scattered forward.
   double Absorbed = 0.0;
   double Reflected = 0.0;
   double Transmitted = 0.0;
@@ -71,7 +72,7 @@ struct ScatteringReport
 class ScatteringSolver
 {
 public:
-  /// Returns an error if the medium or a light is invalid; \a field is empty then.
+  /// Returns an error if the medium or a light is invalid; \a field is then empty.
   static Error Solve(const ScatteringMedium& medium, const std::vector<ScatteringLight>& lights,
     ScatteringMode mode, const ScatteringSettings& settings, ScatteredLight& field,
     ScatteringReport& report);

@@ -23,8 +23,8 @@ namespace
 {
 
 /// Number of paths per light, and number of paths each time a cell is selected. The escaping
-/// fraction of a cell is a ratio of two sums over its paths. Too few paths bias it: thick cells
-/// would lose too little light.
+/// fraction of a cell is a ratio of two sums over its paths, which is biased if there are too few:
+/// thick cells would lose too little light.
 constexpr int Paths = 16384;
 constexpr int PathsOfCell = 16;
 constexpr std::size_t Angles = 4096;
@@ -147,7 +147,7 @@ private:
     return true;
   }
 
-  /// Returns the distance from a position to the cell's boundary.
+  /// Returns the distance from a position to the cell's boundary along \a way.
   static double GetLength(const ScatteringMedium& box, const glm::ivec3& cell,
     const glm::dvec3& position, const glm::dvec3& way)
   {

@@ -27,8 +27,8 @@ class SingleEscape
 public:
   explicit SingleEscape(const PhaseFunction& phase);
 
-  /// Returns the sums for singly scattered light of one light source. Light that leaves in a
-  /// direction with a negative component along \a direction is summed separately.
+  /// Returns the sums for the singly scattered light of one light. \a direction separates the
+  /// escaping light into Backward and Forward.
   EscapeRays::Sums Find(
     const SanitizedMedium& medium, std::size_t light, const glm::dvec3& direction) const;
 

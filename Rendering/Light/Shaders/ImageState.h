@@ -28,8 +28,8 @@ struct ImageState
   /// Columns and rows.
   std::array<int, 2> Size{ { 0, 0 } };
 
-  /// A clipping plane of the camera. If it cuts the volumes, Plane is the half space that remains,
-  /// in unit space.
+  /// A clipping plane of the camera. If it cuts the volumes, Plane is the half space that is not
+  /// clipped, in unit space.
   struct ViewPlane
   {
     bool IsCutting = false;
@@ -39,7 +39,8 @@ struct ImageState
   ViewPlane FarPlane;
 
   bool IsSmoothLookup = true;
-  /// If true, a volume has a transmission color, so that all light buffers have three channels.
+  /// If true, at least one volume has a transmission color, so all light buffers have three
+  /// channels.
   bool HasColoredLight = false;
   /// If true, opaque surfaces of the renderer can occlude volumes.
   bool MayBeOccluded = false;

@@ -26,7 +26,7 @@ std::string Replace(std::string text, const std::string& mark, const std::string
   return text;
 }
 
-// Returns the macro names in the table. Names of light macros end with _0 there.
+// Returns the macro names in the table, where the names of light macros end with _0.
 std::set<std::string> FindNames()
 {
   std::set<std::string> names;
@@ -70,7 +70,8 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "mask", "MASK", EVERY, "", "CUSTOM_MEDIUM" },
     { "cropping", "CROPPING", EVERY },
     { "clipping", "CLIPPING_PLANES=2", EVERY },
-    // Different numbers give different sources. Programs with equal source share their uniforms.
+    // Numbers make the sources of volumes and lights differ, because programs with equal sources
+    // share their uniforms.
     { "volume", "VOLUME_NUMBER=1", EVERY },
     { "light", "LIGHT_NUMBER=1", LIGHT | RECEIVER },
     // Transmission colors.
@@ -80,7 +81,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
       "CUSTOM_MEDIUM ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
     { "light colors", "TRANSMISSION GRAY", IMAGE, "LIT" },
     { "light colors", "TRANSMISSION GRAY", LIGHT | RECEIVER },
-    // Fragments that are drawn separately.
+    // Parts of a slab that separate programs draw.
     { "part", "THIN MINIMUM_DEPTH=0.15", IMAGE, "LIT SHADOW_0",
       "CUSTOM_MEDIUM SPANS GRADIENT_OPACITY" },
     { "part", "EMPTY MINIMUM_DEPTH=0.15", IMAGE, "", "CUSTOM_MEDIUM LIT BACK_TO_FRONT" },
@@ -105,7 +106,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "phase function", "PHASE_ANISOTROPY", IMAGE, "LIT SCATTER" },
     { "phase function", "PHASE_TABLE PHASE_COLUMNS=4096", IMAGE, "LIT SCATTER" },
     { "scattered light", "FIELD_MAPS=3", IMAGE, "LIT SCATTER" },
-    // Any light of an image program, or the only light of another program.
+    // Lights: an image program can have several, other programs have only one.
     { "position", "POSITIONAL_0", IMAGE, "LIT" },
     { "position", "POSITIONAL_0", RECEIVER },
     { "position", "POSITIONAL", LIGHT },
@@ -123,7 +124,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "forward light", "FORWARD_MAP_0=2", IMAGE, "LIT SCATTER FIELD_MAPS=3" },
     { "surfaces' shadows", "OCCLUDER_GATHER OCCLUDERS_0 OCCLUDER_FRACTION_0=1.0", IMAGE,
       "LIT SHADOW_0" },
-    // Second and further volumes of a slab.
+    // Volumes in a slab after the first one.
     { "further volume", "WITHIN", RECEIVER, "VOLUME_NUMBER=1" },
   };
   return table;
@@ -172,7 +173,7 @@ std::string SliceFeatures::MakeSource(const Sources& sources) const
   source = Replace(source, "//INTERLUME::LIGHTS", lights);
   source = Replace(source, "//INTERLUME::SHINE", calls);
   source = Replace(source, "//INTERLUME::SCATTER", has("SCATTER") ? InterlumeSliceScatter : "");
-  // VTK declares every output that the source names, even if a feature excludes it.
+  // VTK declares each output that occurs in the source, even in a disabled feature.
   source = Replace(
     source, "//INTERLUME::BATCH", sources.HasBatches ? "gl_FragData[1] = gl_FragData[0];" : "");
   return ShaderFeatures::Insert(source, this->Macros);

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   SliceFeatures
- * @brief   the macros of a slice shader, and its source
+ * @brief   the macros and the source of a slice shader
  *
  * Disabled features are removed from the source. A table lists all macros and their valid
  * combinations. TestSliceShaders compiles each choice and each valid pair of choices.
@@ -18,8 +18,8 @@ namespace interlume
 class SliceFeatures
 {
 public:
-  /// Types of programs, as bits: image fragments, light buffer fragments, and surfaces of a scene
-  /// that receive shadows.
+  /// Types of programs, as bit flags: for fragments of the image, for fragments of a light buffer,
+  /// and for surfaces of a scene that receive shadows.
   enum Programs
   {
     IMAGE = 1,
@@ -28,7 +28,7 @@ public:
     EVERY = 7
   };
 
-  /// A choice for one aspect of a program. Macros of lights are listed for light 0.
+  /// One choice for an aspect of a program. The macros of lights are listed for light 0 only.
   struct Choice
   {
     /// Choices of the same aspect are mutually exclusive.
@@ -48,16 +48,16 @@ public:
   /// Source code that depends on more than macros.
   struct Sources
   {
-    /// Source of the functions of vtkSliceMedium.
+    /// GLSL functions of vtkSliceMedium.
     std::string Medium;
-    /// Functions that evaluate the shadows cast by surfaces.
+    /// GLSL functions that evaluate the shadows cast by surfaces.
     std::string Surfaces;
-    /// For each light, a call that evaluates the shadows of translucent surfaces, or an empty
+    /// For each light, a GLSL call that evaluates the shadows of translucent surfaces, or an empty
     /// string.
     std::vector<std::string> Lights;
-    /// If true, multiple scattering in all directions is added.
+    /// If true, light that is scattered multiple times in all directions is added.
     bool HasFluence = false;
-    /// If true, light buffers have a second target, for batches of slabs.
+    /// If true, light buffers have a second render target, for batches of slabs.
     bool HasBatches = false;
   };
 
@@ -67,12 +67,12 @@ public:
   }
 
   ///@{
-  /// Adds a macro if \a isOn, or a macro with a value.
+  /// Add a macro without a value if \a isOn, or with a value.
   void Add(const std::string& name, bool isOn = true);
   void AddValue(const std::string& name, const std::string& value);
   void AddValue(const std::string& name, int value) { this->AddValue(name, std::to_string(value)); }
   ///@}
-  /// Adds macros of other sources, separated by spaces. The table does not list them.
+  /// Adds macros of other classes, separated by spaces. They are not in the table.
   void AddOther(const std::string& macros) { this->Macros += " " + macros; }
 
   /// Returns the source of the fragment shader. If a macro is not in the table, the source has an

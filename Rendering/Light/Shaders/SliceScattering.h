@@ -19,15 +19,15 @@ namespace interlume
 
 /**
  * @class   SliceScattering
- * @brief   the scattering of a volume toward the camera
+ * @brief   settings and results of light scattering in a volume
  *
- * Multiple scattering is stored at the nodes of a grid, in maps of four floats per node, stacked
- * along z in one texture. The first two maps are Fluence and NetFlux of ScatteredLight, the latter
- * in unit space. The maps of Forward follow, one per light.
+ * Multiply scattered light is stored at the nodes of a grid, in maps of four floats per node. The
+ * maps are stacked along z in one texture. The first two maps are Fluence and NetFlux of
+ * ScatteredLight, with NetFlux in unit space. The other maps are those of Forward, one per light.
  */
 struct SliceScattering
 {
-  /// Number of samples of a tabulated phase function, over the cosine from -1 to 1.
+  /// Number of samples of a tabulated phase function, at cosines from -1 to 1.
   static constexpr int PhaseColumns = 4096;
 
   bool IsOn() const { return this->Mode != vtkShadowedSliceSettings::NO_SCATTERING; }

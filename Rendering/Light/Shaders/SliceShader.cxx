@@ -59,7 +59,7 @@ void AddMedium(const VolumeRenderState& frame, SliceFeatures& features)
   }
 }
 
-// Returns the source of a custom medium.
+// Returns the source of the custom medium, or an empty string.
 std::string GetMedium(const VolumeRenderState& frame)
 {
   return frame.Medium ? frame.Medium->GetSource() : std::string();
@@ -71,8 +71,8 @@ bool HasTransmission(const VolumeRenderState& frame)
   return frame.Image->GetLightChannels() > 1 && frame.Image->HasShadows();
 }
 
-// Returns true if extinction is integrated between two samples of a slab instead of taken at its
-// center.
+// Returns true if extinction is integrated between two samples of a slab instead of sampled at the
+// center of the slab.
 bool HasSpans(const VolumeRenderState& frame, bool isThick)
 {
   return !isThick && frame.Image->HasShadows() &&
@@ -118,7 +118,7 @@ bool HasTranslucentShadows(const VolumeRenderState& frame)
     frame.Image->Scene->TranslucentMaps->GetLayers() > 0;
 }
 
-// Adds the features of scattering toward the camera.
+// Adds the features for scattered light.
 void AddScattering(const SliceScattering& scattering, SliceFeatures& features)
 {
   if (!scattering.IsOn())
@@ -140,8 +140,8 @@ void AddScattering(const SliceScattering& scattering, SliceFeatures& features)
   }
 }
 
-// Returns the index of a light's map of forward-scattered light, or 0. Only the first of several
-// samples of an area light has the map.
+// Returns the index of a light's map of forward-scattered light, or 0. Of the samples of an area
+// light, only the first has a map.
 int GetForwardMap(const VolumeRenderState& frame, int light)
 {
   const auto isSame = [&](const LightSource& other)
@@ -152,8 +152,9 @@ int GetForwardMap(const VolumeRenderState& frame, int light)
     : 0;
 }
 
-// Adds the macros of a light, by its index \a number in the shader and its index in the image.
-// Returns a call that evaluates the shadows of translucent surfaces, or an empty string.
+// Adds the macros of a light. \a light is its index in the image, \a number its index in the
+// shader. Returns a GLSL call that evaluates the shadows of translucent surfaces, or an empty
+// string.
 std::string AddLightOfImage(const VolumeRenderState& frame, std::size_t sweep, int light,
   std::size_t number, SliceFeatures& features)
 {
@@ -179,7 +180,7 @@ std::string AddLightOfImage(const VolumeRenderState& frame, std::size_t sweep, i
     : std::string();
 }
 
-// Maps a texel to a column of the table, for each row: (texel - Origin) * Scale.
+// For each row of the transfer function table, maps a texel to a column: (texel - Origin) * Scale.
 struct Columns
 {
   std::array<double, 4> Scale{ { 0.0, 0.0, 0.0, 0.0 } };
@@ -341,8 +342,8 @@ double SliceShader::GetRampExtinction(const VolumeRenderState& frame)
 bool SliceShader::HasThickPart(const VolumeRenderState& frame, std::size_t sweep)
 {
   const SlicePlan::Sweep& planned = frame.Image->Plan.Sweeps[sweep];
-  // Ramps are excluded: on a steep ramp, some slabs would contain a jump and others not, which
-  // causes stripes.
+  // Opacity functions with ramps are excluded: a steep ramp acts as a jump in only some slabs,
+  // which causes stripes.
   return frame.Material.HasSharpOpacity() &&
     GetLargestExtinction(frame) * planned.Spacing > ThickDepth &&
     std::any_of(planned.Lights.begin(), planned.Lights.end(),

@@ -18,9 +18,8 @@ namespace interlume
 class SliceShader
 {
 public:
-  /// Fragments of a slab that a program draws. THIN includes empty fragments. EMPTY includes only
-  /// these, which need no lighting. THICK includes all fragments that a THIN or EMPTY program does
-  /// not draw.
+  /// The fragments of a slab that a program draws. EMPTY programs draw only empty fragments, which
+  /// need no lighting; THIN programs also draw thin ones. THICK programs draw all others.
   enum Parts
   {
     ALL,
@@ -32,14 +31,14 @@ public:
   static double GetLargestExtinction(const VolumeRenderState& frame);
   /// Returns the maximum extinction, or 0 if opacity depends on more than the scalar values.
   static double GetRampExtinction(const VolumeRenderState& frame);
-  /// Returns true if a sweep draws thick fragments separately: if there are some, and a light that
-  /// is not inside or near the volume casts shadows on them.
+  /// Returns true if a sweep draws thick fragments separately: if slabs can be thick, and at least
+  /// one light that is not inside or near the volume casts shadows.
   static bool HasThickPart(const VolumeRenderState& frame, std::size_t sweep);
   /// Returns true if a sweep without thick fragments draws empty fragments first. Software OpenGL
   /// executes the complete shader for discarded fragments, unless the depth test rejects them.
   static bool HasEmptyPart(const VolumeRenderState& frame, std::size_t sweep);
-  /// Returns true if thin fragments exist: if there is no thick part, or if a full slab is thin at
-  /// the smallest extinction above 0.
+  /// Returns true if thin fragments exist: if there is no thick part, or if a slab with the
+  /// smallest extinction above 0 is thin.
   static bool HasThinPart(const VolumeRenderState& frame, std::size_t sweep);
 
   /**
@@ -63,7 +62,7 @@ public:
   static std::string GetNames(const VolumeRenderState& frame, bool isOccluded);
 
   ///@{
-  /// Sets the uniforms that are constant over all slabs of a sweep.
+  /// Set the uniforms that are constant over all slabs of a sweep.
   static void SetEyeUniforms(
     vtkShaderProgram* program, const VolumeRenderState& frame, std::size_t sweep);
   static void SetLightUniforms(vtkShaderProgram* program, const VolumeRenderState& frame,

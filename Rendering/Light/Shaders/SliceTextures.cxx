@@ -71,11 +71,12 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int c
 
 using Edges = std::vector<std::array<float, 2>>;
 
-// Returns for each column its value and the next column's, so that one lookup returns both. A
-// column has \a stride values in the table; the value at index \a first is used. If there are
-// breakpoints between the two columns, the negative texel index of their list and the number of
-// pieces replace the values. With \a edges, a third and a fourth value map a fraction of the
-// interval to a fraction of the edge: fraction * third + fourth.
+// Returns, for each column, its value and the value of the next column, so that one lookup returns
+// both. A column has \a stride values in \a table, of which the one at index \a first is used. If
+// there are breakpoints between the two columns, the two values are replaced with the negative
+// texel index of the list of breakpoints and the number of pieces. With \a edges, two more values,
+// a scale and an offset, map a fraction f of the interval between the columns to the fraction
+// scale * f + offset of the edge.
 std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first, std::size_t stride,
   const std::vector<int>& columnLists, const std::vector<float>& bends, const Edges* edges)
 {
@@ -90,7 +91,7 @@ std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first,
     pairs.push_back(list > 0 ? bends[4 * list] : table[isLast ? at : at + stride]);
     if (edges)
     {
-      // Width of a step: the smallest width that single precision resolves.
+      // Width of an edge that is a step: the smallest that single precision resolves.
       constexpr float narrowest = 1e-5F;
       const std::array<float, 2>& edge = (*edges)[i];
       const float slope = 1.0F / std::max(edge[1] - edge[0], narrowest);
@@ -101,8 +102,9 @@ std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first,
   return pairs;
 }
 
-// Returns red, green and blue of each column, the first of \a stride values, and either the texel
-// index of its list of breakpoints or the negative encoded ends of an edge.
+// Returns, for each column, red, green and blue, which are the first of its \a stride values in
+// \a table, and the texel index of its list of breakpoints. If the color changes within an edge,
+// the fourth value is negative and encodes the ends of the edge.
 std::vector<float> MakeColors(const std::vector<float>& table, std::size_t stride,
   const std::vector<int>& bends, const Edges& edges)
 {
@@ -139,8 +141,8 @@ double GetMean(const MaterialTable& material, std::size_t i, double value, doubl
   return mean;
 }
 
-// Returns for each column the sums of extinctions up to it and up to the next column, and the
-// extinctions of both.
+// Returns, for each column, the sums of the mean extinctions up to it and up to the next column,
+// and the extinctions of both columns.
 std::vector<float> MakeSums(const MaterialTable& material)
 {
   std::vector<float> sums;
@@ -172,7 +174,8 @@ vtkIdType SliceTextures::GetBytes(const VolumeSamples& samples)
 
 vtkIdType SliceTextures::GetBytes(const MaterialTable& material)
 {
-  // Colors, pairs of extinctions and of gradient opacities, transmission colors, and breakpoints.
+  // Count the values of colors, extinctions, gradient opacities, transmission colors and
+  // breakpoints.
   const std::size_t pair = material.HasEdges() ? 4 : 2;
   const std::size_t values = 4 * material.ColorBends.size() +
     pair * (material.ExtinctionBends.size() + material.GradientOpacityBends.size()) +
@@ -253,7 +256,8 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& 
   const std::size_t row = 4 * columns;
   bends.resize((bends.size() + row - 1) / row * row, 0.0F);
   UploadTable(window, this->Bends, columns, bends, 4);
-  // Only shaders of thick fragments and of spans use the sums. Activate uploads them on demand.
+  // Only the shaders that draw thick fragments or integrate spans use the sums. Activate uploads
+  // them on demand.
   this->ExtinctionSums->ReleaseGraphicsResources(window);
   this->SumTexels = MakeSums(material);
   return glGetError() == GL_NO_ERROR

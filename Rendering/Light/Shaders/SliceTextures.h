@@ -52,11 +52,10 @@ public:
   /// Sets a custom medium, or null. Its textures are bound together with those of this object.
   void SetMedium(vtkSliceMedium* medium) { this->Medium = medium; }
 
-  /// Returns the texture of multiple scattering. It has no handle if there is no multiple
-  /// scattering.
+  /// Returns the texture of multiply scattered light. It has no handle if there is no such light.
   vtkTextureObject* GetScattered() const { return this->Scattered; }
 
-  /// Returns the images of projective lights.
+  /// Returns the textures of the images of projective lights.
   ScreenTextures& GetScreens() { return this->Screens; }
 
   ///@{
@@ -86,7 +85,7 @@ private:
   std::vector<float> SumTexels;
   ScreenTextures Screens;
   vtkSliceMedium* Medium = nullptr;
-  /// Textures that are bound or suspended, with their units.
+  /// Textures that are bound or suspended, with their texture units.
   std::vector<std::pair<vtkTextureObject*, int>> Active;
 };
 

@@ -26,7 +26,7 @@ struct VolumeRenderState
 {
   VolumeSamples Samples;
   VolumeBlocks Blocks;
-  /// Small blocks for tiles; empty unless OpenGL runs in software.
+  /// Small blocks for drawing in tiles; empty unless OpenGL runs in software.
   VolumeBlocks SmallBlocks;
   MaterialTable Material;
   UnitSpace Space;
@@ -44,10 +44,10 @@ struct VolumeRenderState
   /// Settings of vtkShadowedSliceMapper.
   double SurfaceGradient = 0.0;
   bool TwoSidedLighting = false;
-  /// Ambient, diffuse and specular coefficients and specular power, per row.
+  /// Ambient, diffuse and specular coefficients and specular power, for each row.
   std::array<std::array<float, 4>, 4> Materials{};
-  /// Factors that convert half the difference of the two neighbors along each axis of the image
-  /// into a gradient component, as the property's gradient opacity function expects it.
+  /// For each axis of the image, the factor that converts half the difference between the two
+  /// neighboring samples into a gradient component, in the units of the gradient opacity function.
   glm::dvec3 GradientSteps{ 1.0, 1.0, 1.0 };
   /// Scalar opacity unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };

@@ -18,12 +18,11 @@ namespace
 using Axes = ShadowMapView::Axes;
 using Window = ShadowMapView::Window;
 
-/// Sine and cosine of 30 degrees, the angle by which a view is wider than its light's cone.
+/// Sine and cosine of 30 degrees, the angle that is added to the half angle of a light's cone.
 constexpr double WIDER_SINE = 0.5;
 constexpr double WIDER_COSINE = 0.866025403784438647;
-/// Size of the smoothing filter of a sample's shadow, as a fraction of the sample's part of the
-/// emitter. Smaller fractions leave visible steps. A fraction of 1 makes penumbras slightly too
-/// wide.
+/// Size of the filter that smooths a sample's shadow, as a fraction of the sample's part of the
+/// emitter. Smaller values leave visible steps. A value of 1 makes penumbras slightly too wide.
 constexpr double STRATUM = 0.8;
 constexpr double MINIMUM_CONE_COSINE = 0.70710678118654752;
 

@@ -22,30 +22,31 @@ class UnitSpace;
  * @class   AreaLightViews
  * @brief   shadow map views of area lights: their positions and windows
  *
- * Each sample of an emitter has the view of a light without extent at its position
- * (ShadowMapViews). All views of a light look along the axis of the emitter's center, so that only
- * their positions and windows differ. If the view of any sample reaches more than 75 degrees off
- * the axis, all samples use the six faces of cubes. A cone with a half angle of 45 degrees or less
- * requires only one view. That view is 30 degrees wider than the cone because the samples lie next
- * to the cone's tip.
+ * Each sample of an emitter has the views that a light without extent would have at its position
+ * (ShadowMapViews). The views of all samples of a light have the same directions, so only their
+ * positions and windows differ. If the view of any sample would reach more than 75 degrees off its
+ * axis, all samples use the six faces of a cube. A cone with a half angle of 45 degrees or less
+ * needs only one view. The half angle of that view is 30 degrees larger than the cone's, because
+ * the samples lie next to the tip of the cone.
  */
 class AreaLightViews
 {
 public:
   struct Sample
   {
-    /// Offset from the light's position, in the unit space of the scene. For a directional light,
-    /// the displacement to the right and up per unit distance along the axis.
+    /// Offset from the position of the light, in the unit space of the scene. For a directional
+    /// light, the displacement to the right and up per unit distance along the view axis.
     glm::dvec3 Offset{ 0.0 };
-    /// Window of the view: (p - Center) * Scale is between -1 and 1, where p are the coordinates
-    /// perpendicular to the axis, divided by the distance along it for a positional light.
+    /// Window of the view. In the window, (p - Center) * Scale is between -1 and 1, where p are the
+    /// coordinates perpendicular to the view axis. For a positional light, p is divided by the
+    /// distance along the axis.
     glm::dvec2 Scale{ 1.0 };
     glm::dvec2 Center{ 0.0 };
     glm::dvec3 Weight{ 1.0 };
   };
 
-  /// A light, its consecutive samples, and the number of cube faces per sample: one or six. The
-  /// views of a sample are consecutive.
+  /// A light, its consecutive samples, and the number of views per sample (Sides): one, or six for
+  /// the faces of a cube. The views of a sample are consecutive.
   struct Light
   {
     vtkLight* Source = nullptr;
@@ -53,7 +54,7 @@ public:
     glm::dvec3 Position{ 0.0 };
     /// The depth coefficients A and B of ShadowMapView.
     glm::dvec2 Depth{ 0.0 };
-    /// Width and height vectors, on the emitter, of the smoothing filter of a sample's shadow.
+    /// Width and height vectors, on the emitter, of the filter that smooths a sample's shadow.
     std::array<glm::dvec3, 2> Stratum{ { glm::dvec3(0.0), glm::dvec3(0.0) } };
     int FirstView = 0;
     int FirstSample = 0;
@@ -62,13 +63,13 @@ public:
     int Sides = 1;
   };
 
-  /// Finds the views of all shadow-casting area lights with an extent, with \a samples samples per
-  /// light. The other arguments are as in ShadowMapViews.
+  /// Finds the views of all area lights that cast shadows, with \a samples samples per light. The
+  /// other arguments are the same as those of ShadowMapViews::Fit.
   void Fit(const std::vector<LightSource>& lights, const UnitSpace& space,
     const std::vector<ShadowMapView::Box>& occluders, int resolution, int samples);
 
-  /// Returns the number of columns and rows of a sample's map. It is half of \a resolution for up
-  /// to 16 samples, a third for up to 81 and a quarter for more, rounded down.
+  /// Returns the number of columns and rows of a sample's map: \a resolution divided by the fourth
+  /// root of \a samples (rounded up), but at least 4.
   static int GetResolution(int resolution, int samples);
 
   const std::vector<Light>& GetLights() const { return this->Lights; }
@@ -93,8 +94,8 @@ private:
     std::vector<EmitterSamples::Sample> Samples;
   };
 
-  /// Appends a light's samples to Emitters. Reuses samples of the previous frame if nothing
-  /// changed.
+  /// Appends a light's samples to Emitters. If the light is unchanged, reuses its samples from
+  /// \a before, the emitters of the previous frame.
   void FindSamples(const LightSource& source, int samples, std::vector<Emitter>& before);
 
   std::vector<Emitter> Emitters;

@@ -22,7 +22,7 @@ namespace interlume
 
 namespace
 {
-// VTK replaces scale factors of 0 by this value.
+// VTK replaces scale factors of 0 with this value.
 constexpr double MinimumScale = 1e-10;
 
 // Returns the array that the mapper selects by name or by point attribute, or null.

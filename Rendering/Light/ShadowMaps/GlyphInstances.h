@@ -16,10 +16,10 @@ namespace interlume
  * @class   GlyphInstances
  * @brief   sources and transforms of the glyphs of a vtkGlyph3DMapper
  *
- * Glyphs match vtkOpenGLGlyph3DMapper. They depend on the mapper's Scaling, ScaleMode, ScaleFactor,
- * Clamping, Range, Orient, OrientationMode, SourceIndexing and Masking, and on the point arrays
- * that the mapper selects for them. Points have no glyph if an array has the wrong number of
- * components.
+ * The glyphs are the same as in vtkOpenGLGlyph3DMapper. They depend on the mapper's Scaling,
+ * ScaleMode, ScaleFactor, Clamping, Range, Orient, OrientationMode, SourceIndexing and Masking, and
+ * on the point arrays that the mapper selects for them. A point has no glyph if it is masked or if
+ * the orientation array has the wrong number of components.
  */
 class GlyphInstances
 {
@@ -28,7 +28,7 @@ public:
   {
     /// Index of the source.
     int Source;
-    /// Transform from source coordinates to point coordinates.
+    /// Transform from source coordinates to the coordinates of the points.
     glm::dmat4 Matrix;
   };
 

@@ -46,7 +46,7 @@ public:
   static void DrawProps(
     vtkRenderer* renderer, const std::vector<vtkProp*>& props, const std::array<int, 4>& part);
 
-  /// Reads the texture row by row from the bottom.
+  /// Reads the texture in row-major order, starting with the bottom row.
   void Read(vtkOpenGLRenderWindow* window, std::vector<float>& depths);
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -19,8 +19,8 @@ namespace interlume
 
 namespace
 {
-/// Maximum number of columns and rows of the texture with the maps of all samples. A texture of
-/// this size has 256 MiB.
+/// Maximum number of columns and rows of the texture with the shadow maps of all samples of area
+/// lights. A texture of this size takes 256 MiB.
 constexpr int LARGEST_EMITTER_MAPS = 8192;
 }
 

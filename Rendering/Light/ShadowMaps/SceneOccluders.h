@@ -28,16 +28,16 @@ struct SceneReport;
 
 /**
  * @class   SceneOccluders
- * @brief   transmittance of a scene's opaque surfaces for all its lights
+ * @brief   shadows that the opaque surfaces of a scene cast, for all its lights
  *
- * The maps of lights without extent are in one texture, and the maps of area lights' samples in
- * another. Without area lights, the shaders contain no code for them.
+ * One texture contains the shadow maps of the lights without extent, and another one the shadow
+ * maps of all samples of area lights. Without area lights, the shaders contain no code for them.
  */
 class SceneOccluders
 {
 public:
-  /// Finds the views of the lights for which surfaces cast shadows. \a samples is the number of
-  /// samples of an area light.
+  /// Finds the shadow map views of all lights that cast shadows. \a samples is the number of
+  /// samples per area light.
   void Fit(const std::vector<LightSource>& lights, const UnitSpace& space,
     const std::vector<ShadowMapView::Box>& occluders, int resolution, int samples);
   void Clear();
@@ -56,8 +56,9 @@ public:
   /// GetLightFraction.
   std::string GetFeatures() const;
   std::string GetSource() const;
-  /// Returns a GLSL call, without spaces, that yields a light's transmittance (float or vec3) at a
-  /// position on a plane. Returns an empty string if surfaces cast no shadows for the light.
+  /// Returns a GLSL call, without spaces, that yields the transmittance (float or vec3) of a light
+  /// at \a position on \a plane, which are GLSL expressions. Returns an empty string if surfaces
+  /// cast no shadows for the light.
   std::string GetLightFraction(
     vtkLight* light, const std::string& position, const std::string& plane) const;
   /// Returns a GLSL call like that of GetLightFraction, for one sample of an area light. \a sample
@@ -65,17 +66,16 @@ public:
   /// the shadow maps use a different number of samples.
   std::string GetSampleLightFraction(vtkLight* light, int samples, const std::string& sample,
     const std::string& position, const std::string& plane) const;
-  /// Sets the uniforms of a program with the source from GetSource. \a worldFromPosition transforms
-  /// the program's positions to world coordinates. The textures must be active.
+  /// Sets the uniforms of a program that contains the source from GetSource. \a worldFromPosition
+  /// transforms the positions in the program to world coordinates. The textures must be active.
   void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPosition) const;
-  /// Sets the number of samples to 0 in a program that only draws depths, to avoid useless
-  /// comparisons.
+  /// Sets the number of samples to 0 in a program that only draws depths, to avoid useless shadow
+  /// map comparisons.
   void ClearUniforms(vtkShaderProgram* program) const;
-  /// Compares sample maps as if positions were closer to the light by the width of \a texels
-  /// texels. Use this for surfaces whose plane is unknown.
+  /// Adds the width of \a texels texels to the depth bias of the maps of area light samples. Use
+  /// this for surfaces whose plane is unknown.
   void AddBias(vtkShaderProgram* program, double texels) const;
-  /// Returns the names of the textures in the source, and the textures. Some of the textures may be
-  /// empty.
+  /// Returns the textures and their names in the GLSL code. Textures may be empty.
   std::vector<std::pair<const char*, vtkTextureObject*>> GetTextures() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);

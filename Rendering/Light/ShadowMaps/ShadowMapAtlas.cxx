@@ -49,7 +49,7 @@ std::vector<double> ShadowMapAtlas::GetState(const std::vector<vtkProp*>& props)
   }
   for (vtkProp* prop : props)
   {
-    // A double represents all addresses and modification times exactly.
+    // Doubles represent addresses and modification times exactly, since both are below 2^53.
     state.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
     state.push_back(static_cast<double>(prop->GetRedrawMTime()));
   }

@@ -18,19 +18,19 @@ namespace interlume
 
 /**
  * @class   ShadowMapAtlas
- * @brief   tiles of one texture for the views of lights, row by row from the bottom
+ * @brief   texture with one tile per shadow map view, in rows from the bottom
  */
 class ShadowMapAtlas
 {
 public:
-  /// Assigns a tile of \a resolution columns and rows to each view. \a bias is DepthBias of
-  /// vtkShadowedScenePass.
+  /// Assigns a tile of \a resolution by \a resolution texels to each view. \a bias is the DepthBias
+  /// of vtkShadowedScenePass.
   void Set(const std::vector<ShadowMapView>& views, int resolution, double bias);
 
   const std::vector<ShadowMapView>& GetViews() const { return this->Views; }
   int GetResolution() const { return this->Resolution; }
   double GetBias() const { return this->Bias; }
-  /// Returns the number of tiles per row for \a views tiles.
+  /// Returns the number of tiles per row of an atlas with \a views tiles.
   static int GetColumns(int views);
   int GetColumns() const { return this->Columns; }
   /// Return the size of the texture in texels.
@@ -39,13 +39,13 @@ public:
   /// Returns the first column and row of a tile, and its width and height, as a viewport.
   std::array<int, 4> GetTile(std::size_t view) const;
 
-  /// Returns the values that determine the content of the tiles when \a props are drawn.
+  /// Returns values that change if the tiles must be redrawn. \a props are the props drawn into
+  /// them.
   std::vector<double> GetState(const std::vector<vtkProp*>& props) const;
 
-  /// Sets the uniforms NAMEFromPosition and NAMETiles, and positionFromNAME and NAMETexels if the
-  /// program uses them. NAME stands for \a name; its first letter is capitalized in
-  /// positionFromNAME. \a worldFromPosition transforms the program's positions to world
-  /// coordinates.
+  /// Sets the uniforms NAMEFromPosition, NAMETiles, positionFromNAME and NAMETexels, where NAME is
+  /// \a name, with a capital first letter in positionFromNAME. \a worldFromPosition transforms the
+  /// program's positions to world coordinates.
   void SetUniforms(
     vtkShaderProgram* program, const std::string& name, const glm::dmat4& worldFromPosition) const;
 

@@ -127,7 +127,7 @@ ShadowMapView ShadowMapView::Make(const glm::dvec3& origin, const Axes& axes, co
   {
     const double scale = 2.0 / across[i].GetSize();
     const double center = across[i].GetCenter();
-    // The light looks along -z. In perspective, w is -z.
+    // The light looks along -z. For a positional light, w is -z.
     clip[i][i] = scale;
     clip[2][i] = isPerspective ? scale * center : scale * window.Shear[i];
     clip[3][i] = isPerspective ? 0.0 : -scale * center;
@@ -138,7 +138,8 @@ ShadowMapView ShadowMapView::Make(const glm::dvec3& origin, const Axes& axes, co
     clip[2][2] = -depth.x;
     clip[3][2] = -depth.y;
     clip[2][3] = -1.0;
-    // The bias moves a position along its ray by a fraction of the distance to the light.
+    // The width of a texel at distance w is texel * w. The depth changes by texel * depth.y / w
+    // over that distance.
     view.TexelDepth = { { 0.0, texel * depth.y } };
   }
   else

@@ -20,7 +20,7 @@ namespace interlume
 
 /**
  * @class   ShadowMapView
- * @brief   shadow map view of a light: its position and window
+ * @brief   position, direction and window from which one shadow map of a light is drawn
  *
  * Let w be the distance from the light along the view's axis. The depth in normalized device
  * coordinates is A - B / w for a positional light and A + B w for a directional light.
@@ -30,8 +30,8 @@ struct ShadowMapView
   /// Bounds of a surface in world coordinates, in VTK's order.
   using Box = std::array<double, 6>;
 
-  /// The viewing axis and two directions perpendicular to it. Up is as close to the world's y axis
-  /// as possible.
+  /// The viewing axis and two directions perpendicular to it. Up is as close as possible to the y
+  /// axis of world coordinates.
   struct Axes
   {
     explicit Axes(const glm::dvec3& axis)
@@ -64,8 +64,9 @@ struct ShadowMapView
     }
   };
 
-  /// Window of a view: the range of coordinates (or tangents, in perspective) perpendicular to the
-  /// axis, and of distances along it. Parallel views are displaced laterally by Shear per unit
+  /// Window of a view: the ranges of the two coordinates perpendicular to the axis (for positional
+  /// lights, of these coordinates divided by the distance along the axis), and of the distance
+  /// along the axis. The window of a directional light is displaced sideways by Shear per unit
   /// distance along the axis.
   struct Window
   {
@@ -74,32 +75,33 @@ struct ShadowMapView
     Range Along;
     glm::dvec2 Shear{ 0.0, 0.0 };
 
-    /// Enlarges the window on each side by a small margin, but at least by \a minimum.
+    /// Extends the ranges perpendicular to the axis by a small margin, at least \a minimum, at both
+    /// ends.
     void GrowAcross(double minimum);
-    /// Enlarges the depth range of a positional light. \a farthest is the largest distance from the
-    /// light.
+    /// Extends the range along the axis of a positional light. \a farthest is the distance from the
+    /// light to the farthest corner of a surface's bounds.
     void GrowAlong(double farthest);
-    /// Sets the window of one face of a cube around the light. It extends past the face's edges by
-    /// the texels that are interpolated there.
+    /// Sets the window of one face of a cube around the light. It extends two texels past the edges
+    /// of the face, for interpolation.
     void SetSide(double farthest, int resolution);
-    /// Sets the window of a cone. \a tangent is the tangent of its half angle.
+    /// Sets the window of a spotlight. \a tangent is the tangent of the half angle of its cone.
     void SetCone(double farthest, double tangent, int resolution);
-    /// Returns the depth coefficients A and B.
+    /// Returns the coefficients A and B of the depth, defined in ShadowMapView.
     glm::dvec2 GetDepth(bool isPerspective) const;
   };
 
   static std::vector<glm::dvec3> GetCorners(const std::vector<Box>& boxes);
 
-  /// Finds the window of a positional light along an axis. Returns false if a corner is too far off
-  /// the axis.
+  /// Finds the window of a positional light that contains all corners. Returns false if the
+  /// direction of a corner is more than 75 degrees from the axis.
   static bool FindWindow(const glm::dvec3& position, const Axes& axes,
     const std::vector<glm::dvec3>& corners, Window& window);
 
-  /// Returns the axis of a cube face, 0 to 5: -x, x, -y, y, -z, z.
+  /// Returns the direction of a cube face. Faces 0 to 5 are -x, x, -y, y, -z, z.
   static glm::dvec3 GetSide(int side);
 
-  /// Finds the window of a directional light along an axis, with a lateral shear. Its coordinates
-  /// are relative to \a origin.
+  /// Finds the window of a directional light that contains all corners, with the given shear.
+  /// Coordinates of the window are relative to \a origin.
   static Window FindWindow(const glm::dvec3& origin, const Axes& axes, const glm::dvec2& shear,
     const std::vector<glm::dvec3>& corners, double size);
 
@@ -110,12 +112,13 @@ struct ShadowMapView
   /// Sets \a camera to this view.
   void SetCamera(vtkCamera* camera) const;
 
-  /// Cosine of 75 degrees, the largest angle between the axis of a single view and its rays.
+  /// Cosine of 75 degrees, the largest angle between a view's axis and its rays if the light has
+  /// only one view.
   static constexpr double MinimumCosine = 0.2588;
-  /// Near distance of the view of a light between the actors, as a fraction of its far distance.
+  /// Smallest near distance of a positional light's view, as a fraction of its far distance.
   static constexpr double Nearest = 1e-3;
-  /// Margin around the window of a view, as a fraction of its size or of its distance from the
-  /// light.
+  /// Margin by which windows are extended, as a fraction of their size, or of the distance from the
+  /// light along the axis.
   static constexpr double Margin = 1e-3;
 
   bool IsPerspective = false;
@@ -124,8 +127,8 @@ struct ShadowMapView
   glm::dmat4 LightFromWorld{ 0.0 };
   glm::dmat4 ClipFromLight{ 0.0 };
   glm::dmat4 ClipFromWorld{ 0.0 };
-  /// Width of a texel as a depth difference in normalized device coordinates. It is [0] + [1] / w,
-  /// where w is the fourth clip coordinate of the position.
+  /// The difference in normalized depth over a distance of one texel's width is TexelDepth[0] +
+  /// TexelDepth[1] / w, where w is the fourth clip coordinate.
   std::array<double, 2> TexelDepth{};
 };
 

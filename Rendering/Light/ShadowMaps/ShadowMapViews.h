@@ -16,17 +16,17 @@ class UnitSpace;
 
 /**
  * @class   ShadowMapViews
- * @brief   shadow map views of lights: their positions and windows
+ * @brief   the shadow map views of all lights except area lights
  *
- * A directional light has one view, a rectangle around the boxes of all surfaces. A positional
- * light has one view if all boxes are within 75 degrees of one direction, or if its cone is
- * narrower. Otherwise it has six views, the faces of a cube around it. Positions outside all
- * windows are never in shadow.
+ * A directional light has one view, which contains the bounds of all surfaces. A positional light
+ * has one view if the bounds of all surfaces are within 75 degrees of one direction, or if the half
+ * angle of its cone is less than 75 degrees. Otherwise it has six views, one per face of a cube
+ * around the light. Positions outside all views are never in shadow.
  */
 class ShadowMapViews
 {
 public:
-  /// A light and its consecutive views.
+  /// A light and the indices of its views, which are consecutive.
   struct Light
   {
     vtkLight* Source = nullptr;
@@ -34,13 +34,13 @@ public:
     int Views = 0;
   };
 
-  /// Returns true if surfaces cast shadows for the light. Headlights are excluded because their
-  /// shadows are hidden from the camera.
+  /// Returns true if the light casts shadows of surfaces. Headlights are excluded because the
+  /// camera cannot see their shadows.
   static bool Casts(const LightSource& source);
 
   /**
-   * Finds the views of all shadow-casting lights without extent. \a lights are in \a space. Each
-   * tile of the shadow map has \a resolution columns and rows.
+   * Finds the views of all shadow-casting lights except area lights. \a lights are given in \a
+   * space. Each shadow map has \a resolution columns and rows.
    */
   void Fit(const std::vector<LightSource>& lights, const UnitSpace& space,
     const std::vector<ShadowMapView::Box>& occluders, int resolution);

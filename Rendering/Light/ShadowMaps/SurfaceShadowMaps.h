@@ -38,25 +38,26 @@ public:
   ~SurfaceShadowMaps();
 
   /**
-   * Draws the maps of all views. \a bias is DepthBias of vtkShadowedScenePass. Returns an error if
-   * the GPU runs out of memory.
+   * Draws the maps of all views. \a bias is the DepthBias of vtkShadowedScenePass. Returns an error
+   * if the GPU runs out of memory.
    */
   Error Draw(vtkRenderer* renderer, const std::vector<ShadowMapView>& views,
     const std::vector<vtkProp*>& props, int resolution, double bias);
-  /// Returns the number of maps that the last Draw rendered, or 0 if nothing had changed.
+  /// Returns the number of maps rendered by the last call of Draw, or 0 if nothing had changed.
   int GetDrawn() const { return this->Drawn; }
-  /// Returns the largest resolution at which \a views maps fit into a texture with at most \a
-  /// maximum columns, within the limit of the GPU.
+  /// Returns the largest resolution at which the maps of \a views views fit into one texture. The
+  /// width of the texture is limited by \a maximum and by the GPU.
   static int GetLargestResolution(int views, int maximum);
 
   vtkTextureObject* GetTexture() const { return this->Depths.GetTexture(); }
   vtkIdType GetBytes() const { return this->Depths.GetBytes(); }
   const ShadowMapAtlas& GetTiles() const { return this->Tiles; }
 
-  /// Returns the macros of a shader that reads the maps with InterlumeSceneShadowMaps.glsl.
+  /// Returns the macros that InterlumeSceneShadowMaps.glsl requires.
   std::string GetFeatures() const;
-  /// Sets the uniforms of a program with this shader. \a worldFromPosition transforms the program's
-  /// positions to world coordinates. The texture must be active.
+  /// Sets the uniforms of a program that contains InterlumeSceneShadowMaps.glsl. \a
+  /// worldFromPosition transforms the program's positions to world coordinates. The texture must be
+  /// active.
   void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPosition) const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -66,7 +67,7 @@ private:
   vtkNew<vtkOpenGLCamera> Camera;
   ShadowMapAtlas Tiles;
   int Drawn = 0;
-  /// State of views and props at the last update.
+  /// Views, props and settings at the last update; see ShadowMapAtlas::GetState.
   std::vector<double> State;
 };
 

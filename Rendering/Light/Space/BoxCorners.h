@@ -30,7 +30,7 @@ public:
   glm::dvec3 GetCenter() const;
   /// Returns the smallest and largest coordinate along \a normal.
   std::array<double, 2> GetRange(const glm::dvec3& normal) const;
-  /// Returns the unit vectors from a point to all corners except one at the point itself.
+  /// Returns the unit vectors from a point to all corners that differ from it.
   std::vector<glm::dvec3> GetRays(const glm::dvec3& from) const;
 
 private:

@@ -24,8 +24,8 @@ namespace interlume
  * therefore sufficient for any size and position of the volume. Volumes that are drawn together
  * share one sphere.
  *
- * Texture coordinates range from 0 to 1 over the texels. The outermost texel centers are half a
- * texel inside.
+ * Texture coordinates are 0 and 1 at the outer faces of the outermost texels, half a texel outside
+ * their centers.
  */
 class UnitSpace
 {
@@ -41,8 +41,8 @@ public:
   /// x_unit.
   void MoveTo(const glm::dvec3& center, double radius);
 
-  /// Returns, for each axis, the texture coordinate difference by which a face of the box must move
-  /// so that it is displaced by \a margin along its normal in unit space.
+  /// Returns, for each axis, the change in texture coordinate that moves a face of the box by \a
+  /// margin along its normal in unit space.
   std::array<double, 3> GetMargins(double margin) const;
 
   /// Returns the number of texels along each axis that a vector in unit space crosses.
@@ -65,7 +65,7 @@ public:
   std::array<std::array<double, 2>, 3> Box{};
 
 private:
-  /// Sets Size and Box, and finds the image indices of texture coordinate 0 and of the center.
+  /// Sets Size and Box, and finds the image indices at texture coordinates of 0 and at the center.
   /// Returns false if there are no samples.
   bool SetTexels(
     vtkImageData* image, bool isOfCells, glm::dvec3& firstIndex, glm::dvec3& centerIndex);

@@ -17,13 +17,13 @@ namespace interlume
  */
 namespace UnitVector
 {
-/// Returns the matrix of a row-major array, the order of vtkMatrix4x4.
+/// Converts a row-major array, such as the data of a vtkMatrix4x4.
 inline glm::dmat4 FromRows(const double rows[16])
 {
   return glm::transpose(glm::make_mat4(rows));
 }
 
-/// Returns the coefficients of x, y and z in a row.
+/// Returns the first three elements of a row.
 inline glm::dvec3 GetRow(const glm::dmat4& m, int row)
 {
   return glm::dvec3(glm::row(m, row));

@@ -19,25 +19,25 @@ struct VolumeRenderState;
 
 /**
  * @class   AreaLightReceivers
- * @brief   multiplies the layers of an area light into the transmittance at surfaces behind the
- * slices
+ * @brief   computes an area light's transmittance at surfaces behind all slices from its layers
  *
- * The transmittance at x is sum_c w_c T_c(x_c), where x_c is the position at which the ray from
- * sample c to x meets the sample's layer. Penumbras therefore widen with the distance from the
- * medium. Surfaces between the light and x let through the fraction V_c of the light of sample c,
- * and V = sum_c w_c V_c of the entire light. The result is then sum_c w_c V_c T_c / V, so that a
- * medium and a surface that hide the same part of a light do not hide it twice.
+ * The transmittance at x is sum_c w_c T_c(x_c), where w_c is the weight of emitter sample c, T_c is
+ * its layer, and x_c is the position at which the ray from the sample to x meets the layer.
+ * Penumbras therefore widen with the distance from the medium. If surfaces between the light and x
+ * transmit the fraction V_c of sample c's light, and therefore V = sum_c w_c V_c of the entire
+ * light, the result is sum_c w_c V_c T_c / V. The shader of the surface multiplies it by V, so that
+ * samples hidden by both the medium and a surface are attenuated only once.
  */
 class AreaLightReceivers
 {
 public:
-  /// Compiles the program for points in \a vertices. Returns an error if that fails.
+  /// Compiles the program that draws the points in \a vertices. Returns an error if that fails.
   Error Prepare(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
     const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers,
     vtkOpenGLBufferObject* vertices);
 
-  /// Draws \a count points into the bound framebuffer. The last batch must have been multiplied
-  /// into the layers.
+  /// Draws \a count points into the bound framebuffer. All batches must have been multiplied into
+  /// the layers.
   void Draw(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
     const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers, std::size_t first,
     std::size_t count);

@@ -55,7 +55,8 @@ bool ImageUpsampler::Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image
   }
   vtkTextureObject* front = isFiner(this->Front) ? this->Front.Get() : nullptr;
   const glm::dvec2 size(image->GetWidth(), image->GetHeight());
-  // Twice the width of a pixel if the volume's sphere fills the image.
+  // Depth difference that a slanted surface can have between adjacent pixels: twice the width of a
+  // pixel if the unit sphere fills the image.
   const double slant = 4.0F / static_cast<float>(std::max(size.x, size.y));
   const glm::vec3 viewDirection = GetViewDirection(this->UnitFromClip);
   this->Surfaces->Activate();

@@ -19,9 +19,10 @@ namespace interlume
  * @class   ImageUpsampler
  * @brief   upsamples an image to the viewport and preserves the edges of surfaces
  *
- * Each pixel of the image ends at the surface seen at its center. Neighbors with very different
- * depths are not interpolated. Instead, a pixel of the viewport uses those neighbors that end at
- * its own surface. Surfaces narrower than a pixel of the image may be lost.
+ * Each pixel of the image contains the volumes up to the surface visible at the pixel's center.
+ * Pixels whose surfaces differ much in depth must not be blended. Each pixel of the viewport is
+ * therefore interpolated from those adjacent image pixels whose surface has about the same depth as
+ * its own. Surfaces narrower than a pixel of the image may be lost.
  */
 class ImageUpsampler
 {
@@ -29,12 +30,14 @@ public:
   ImageUpsampler();
   ~ImageUpsampler();
 
-  /// Sets the depths at which the next image ends and begins, in textures of the viewport's size.
-  /// \a front is null if the image begins at the camera. Both are null if there are no surfaces.
+  /// Sets the depths of the surfaces at which the volumes in the next image end (\a surfaces) and
+  /// begin (\a front). The textures have the size of the viewport. \a front is null if the volumes
+  /// begin at the camera. Both are null if there are no surfaces.
   void SetDepths(
     vtkTextureObject* surfaces, vtkTextureObject* front, const glm::dmat4& unitFromClip);
 
-  /// Shows the image. Returns false if there are no depths, or if they are no finer than the image.
+  /// Composites the image over the viewport. Returns false, and draws nothing, if there are no
+  /// depths or if they do not have a higher resolution than the image.
   bool Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -356,8 +356,8 @@ void SliceRasterizer::FindOrder(std::size_t sweepIndex)
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
   std::vector<SlicePlan::SlicedVolume> volumes;
   this->HasThickPart = false;
-  // If the far plane cuts the volumes, slabs whose middle is behind it would fail the depth test
-  // without separate depths.
+  // If the far plane cuts the volumes, draw each slab at a separate depth. Otherwise, slabs whose
+  // middle is behind the far plane would fail the depth test.
   this->HasMarks = this->State->FarPlane.IsCutting;
   this->IsDense = false;
   for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
@@ -390,7 +390,8 @@ Error SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
   }
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    // Activate the buffers even if the first volume is not drawn, since surfaces require them.
+    // Activate the buffers here too, since the surfaces of the scene require them even if the first
+    // volume is empty.
     this->Active.push_back(this->GetLightBuffer(light.Light).GetTexture());
     this->Active.back()->Activate();
   }
@@ -554,7 +555,8 @@ void SliceRasterizer::KeepLayers(const Sweep& sweep, int slab)
 
 void SliceRasterizer::AddSweep()
 {
-  // Add only colors, which come from different lights. All sweeps have the same opacity.
+  // Add only the colors: each image contains the contributions of different lights, but all images
+  // have the same opacity.
   this->BindImage(this->Image);
   this->SumQuad.Draw(this->Window, this->SweepImage, "SUM");
 }
@@ -601,7 +603,8 @@ bool SliceRasterizer::ReadLightBuffer(vtkOpenGLRenderWindow* window, const Image
       std::copy(texels.begin(), texels.end(), values->GetPointer(0));
       image->GetPointData()->SetScalars(values);
 
-      // Transform world coordinates to unit space, clip coordinates and then texture coordinates.
+      // The matrix transforms world coordinates to unit space, to the light's clip coordinates, and
+      // to texture coordinates.
       glm::dmat4 texture(glm::dmat3(0.5));
       texture[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
       vtkNew<vtkDoubleArray> matrix;

@@ -35,15 +35,15 @@ struct SliceReport;
 
 /**
  * @class   SliceRasterizer
- * @brief   draws an image of slices with OpenGL 3.2, in one window
+ * @brief   draws the slices of volumes into an image with OpenGL 3.2
  *
- * Several volumes may share the slices. In each slab, one volume after the other draws into the
- * image and then attenuates the light buffers. Each volume is therefore in the shadow of the
- * preceding volumes of the slab. SlabOrder determines the order.
+ * Several volumes may share the slices. In each slab, the volumes are drawn one after the other,
+ * each into the image and then into the light buffers. A volume is therefore in the shadow of the
+ * volumes drawn before it. SlabOrder determines their order.
  *
- * The image buffer contains color times opacity, and opacity, in single precision. With thousands
- * of thin slices, small opacities retain their digits, whereas a transmittance close to 1 would
- * lose them.
+ * The image buffer contains premultiplied color and opacity in single precision. It stores opacity
+ * instead of transmittance because small opacities keep their precision over thousands of thin
+ * slices, whereas a transmittance close to 1 would lose it.
  */
 class SliceRasterizer
 {
@@ -51,10 +51,11 @@ public:
   SliceRasterizer();
   ~SliceRasterizer();
 
-  /// Returns an error if the window does not support this class.
+  /// Returns an error if the window is not a vtkOpenGLRenderWindow or its OpenGL version is too
+  /// old.
   static Error FindError(vtkOpenGLRenderWindow* window);
 
-  /// A volume of an image.
+  /// A volume to draw.
   struct Volume
   {
     const VolumeRenderState* State;
@@ -62,8 +63,9 @@ public:
   };
 
   /**
-   * Draws all sweeps into the image's buffer. The volumes must be numbered consecutively. Stops
-   * between slabs if the user aborts. Returns an error if the image is not complete.
+   * Draws all sweeps into the image buffer. The Number of each volume's state must be its index in
+   * \a volumes. Stops between slabs if the user aborts. Returns an error if the image is incomplete
+   * for another reason.
    */
   Error Draw(vtkRenderer* renderer, const ImageState& image, const std::vector<Volume>& volumes,
     SliceReport& report);
@@ -71,8 +73,8 @@ public:
   /// Returns true if opaque surfaces occluded volumes in the last image.
   bool IsOccluded() const { return this->Opaque != nullptr; }
 
-  /// Composites the last image over the scene. If the renderer has a selector, draws the pixels
-  /// that contain the volume for it.
+  /// Composites the last image over the scene. If the renderer has a hardware selector, draws the
+  /// nontransparent pixels in the selector's color instead.
   void Show(vtkRenderer* renderer);
 
   /// Implements vtkShadowedSliceMapper::ReadLightBuffer for the last image, which was drawn in \a
@@ -92,7 +94,7 @@ private:
   void ReleaseUnusedLights();
   Error DrawSweeps();
   Error DrawSweep(std::size_t sweepIndex);
-  /// Finds the order of the volumes, and the features that some of them require.
+  /// Finds the order of the volumes, and sets HasThickPart, IsDense and HasMarks.
   void FindOrder(std::size_t sweepIndex);
   /// Prepares the programs of all volumes.
   Error PrepareVolumes(std::size_t sweepIndex);
@@ -101,20 +103,21 @@ private:
   void ActivateTextures(std::size_t sweepIndex, vtkShaderProgram* program);
   void DeactivateTextures();
   void BindImage(vtkTextureObject* image);
-  /// Attaches the sweep's image buffer, which is cleared or contains the sweeps in front.
+  /// Attaches the sweep's image buffer. Clears it unless it contains a sweep in front of this one.
   void BeginSweep(std::size_t sweepIndex);
-  /// Culls fragments behind the opaque part of the image in the following slabs.
+  /// Marks the opaque pixels of the image, so that the following slabs are not drawn there.
   void MarkOpaquePixels();
-  /// Returns true if a slab is empty for all volumes.
+  /// Returns true if all volumes are empty in a slab.
   bool IsEmpty(int slab) const;
-  /// Updates layers of light buffers before a slab is drawn, or is skipped because it is empty.
+  /// Updates the layers of the light buffers. Call this before each slab, even if the slab is empty
+  /// and therefore not drawn.
   void KeepLayers(const SlicePlan::Sweep& sweep, int slab);
-  /// Draws a nonempty slab: surfaces of the scene, then each volume into the image and into the
-  /// light buffers.
+  /// Draws a nonempty slab: first the surfaces of the scene, then each volume into the image and
+  /// into the light buffers.
   void DrawSlab(const SlicePlan::Sweep& sweep, int slab);
-  /// Draws the surfaces of the scene up to the end of a slab.
+  /// Computes the light on the surfaces of the scene up to the end of a slab.
   void DrawReceivers(int slab);
-  /// Binds the textures of one volume. Does nothing for a single volume.
+  /// Binds the textures of a volume in place of the bound volume's textures.
   void BindVolume(std::size_t number);
   void AddSweep();
 
@@ -131,14 +134,16 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> ImageFramebuffer;
   vtkNew<vtkTextureObject> Image;
   vtkNew<vtkTextureObject> SweepImage;
-  /// Depth of occluding surfaces if there is no scene. Opaque is the depth in use: OpaqueDepth, the
-  /// scene's depth, or null if no surfaces occlude volumes.
+  /// Depth of the surfaces that occlude volumes outside a vtkShadowedScenePass. Opaque is the depth
+  /// in use: OpaqueDepth, the depth from the vtkShadowedScenePass, or null if no surfaces occlude
+  /// volumes.
   vtkNew<vtkTextureObject> OpaqueDepth;
   vtkTextureObject* Opaque = nullptr;
   bool HasThickPart = false;
   /// If true, some volume becomes opaque within a few slabs.
   bool IsDense = false;
-  /// If true, some volume has two programs, and slices have separate depths.
+  /// If true, each slab is drawn at a separate depth. This is required if a volume has two programs
+  /// or if the far plane cuts the volumes.
   bool HasMarks = false;
   bool HasReceivers = false;
   SliceReceivers Receivers;

@@ -27,8 +27,8 @@ namespace interlume
 
 namespace
 {
-// Box of a volume's medium, for intersection with rays from surfaces to the lights of a sweep and
-// to the samples of area lights.
+// Box of a volume's medium. Tests whether it intersects rays from a point to the lights of a sweep
+// and to the samples of its area lights.
 class MediumBox
 {
 public:
@@ -49,7 +49,7 @@ public:
     }
   }
 
-  /// Returns true if any light passes through the box to a position in unit space.
+  /// Returns true if light passes through the box on its way to a position in unit space.
   bool IsReachedByLight(const glm::dvec3& position) const
   {
     const glm::dvec3 from = UnitVector::TransformPoint(this->TextureFromUnit, position);
@@ -84,7 +84,8 @@ private:
 
   const glm::dmat4& TextureFromUnit;
   const std::array<std::array<double, 2>, 3>& Box;
-  /// Positions with w = 1, or directions toward directional lights with w = 0.
+  /// Positions of positional lights and samples, with w = 1, and directions toward directional
+  /// ones, with w = 0.
   std::vector<glm::dvec4> Sources;
 };
 }
@@ -239,7 +240,8 @@ int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t vo
   const std::size_t first = this->Next;
   const std::size_t end = this->Starts[static_cast<std::size_t>(slab) + 1];
   const bool isBehind = slab == this->Sweep->Slabs;
-  // Behind all slabs, the buffers contain the attenuation of all volumes, so draw only once.
+  // Behind all slabs, the light buffers contain the attenuation of all volumes, so draw the
+  // surfaces only once.
   if (this->Lights[volume].empty() || (isBehind && volume > 0))
   {
     return 0;

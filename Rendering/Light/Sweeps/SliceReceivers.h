@@ -27,12 +27,13 @@ struct SliceScene;
 
 /**
  * @class   SliceReceivers
- * @brief   computes the transmittance of a sweep's slices at the surfaces of a scene
+ * @brief   computes how volumes attenuate the light on the surfaces of a vtkShadowedScenePass
  *
- * The surface seen at each pixel is a point in a slab. It is drawn into the scene's transmittance
- * when the light buffers reach that slab. Points that no light reaches through the medium are
- * skipped. Points behind the last slab are drawn at the end, with the sample layers if the light
- * has any.
+ * At each pixel, the visible point of a surface lies in some slab of the sweep, or behind all
+ * slabs. When the light buffers contain the attenuation up to this slab, the transmittance at the
+ * point is multiplied into SliceScene::Transmittance. Points are skipped if no light passes through
+ * the medium on its way to them. Points behind the last slab are drawn at the end. For area lights
+ * with sample layers, their transmittance is computed from these layers.
  */
 class SliceReceivers
 {
@@ -40,24 +41,25 @@ public:
   SliceReceivers();
   ~SliceReceivers();
 
-  /// Sorts the surfaces into slabs of a sweep through these volumes.
+  /// Sorts the visible points of the surfaces by the slabs of a sweep through \a volumes.
   void Begin(const std::vector<std::unique_ptr<VolumeSlices>>& volumes, std::size_t sweepIndex);
 
   /**
-   * Prepares a volume's programs. Start with the first volume. \a buffers are the sweep's light
-   * buffers, whose textures must be active. Returns an error if a program cannot be compiled.
+   * Prepares a volume's programs. Call it once for each volume, in order. \a buffers are the
+   * sweep's light buffers, whose textures must be active. Returns an error if a program cannot be
+   * compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slices,
     const std::vector<SliceLightBuffer*>& buffers);
 
-  /// Returns true if there are surfaces up to the end of \a slab that have not been drawn yet. The
-  /// light buffers must not include the attenuation of \a slab yet. To include surfaces behind the
-  /// last slab, pass the number of slabs.
+  /// Returns true if points up to the end of \a slab have not been drawn yet. In this method, Draw
+  /// and Pass, \a slab may be the number of slabs, to include the points behind the last slab.
   bool HasRemaining(int slab) const;
-  /// Multiplies the light at the remaining surfaces up to the end of \a slab by a volume's
-  /// transmittance. Returns the number of passes over layers.
+  /// Multiplies the transmittance at the remaining points up to the end of \a slab by that of a
+  /// volume. Call it before the light buffers are attenuated by \a slab. Returns the number of
+  /// passes over the sample layers.
   int Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t volume);
-  /// Skips the remaining surfaces up to the end of \a slab.
+  /// Marks the points up to the end of \a slab as drawn.
   void Pass(int slab) { this->Next = this->Starts[static_cast<std::size_t>(slab) + 1]; }
 
   void ReleaseGraphicsResources();
@@ -65,8 +67,9 @@ public:
 private:
   void Sort(const std::vector<std::unique_ptr<VolumeSlices>>& volumes);
 
-  /// Programs of a volume for a light, and the light's tile in the scene's transmittance. Behind is
-  /// set only for the first volume, if the light has layers.
+  /// Programs of a volume for a light, and the light's tile in SliceScene::Transmittance. Behind
+  /// draws the points behind the last slab; it is null except in the first volume, for lights with
+  /// sample layers.
   struct Light
   {
     const SlicePlan::ShadowedLight* Planned = nullptr;
@@ -82,8 +85,8 @@ private:
   /// The lights of each volume.
   std::vector<std::vector<Light>> Lights;
   std::vector<float> Positions;
-  /// Index of the first point of each slab, of the first point behind the slabs, and number of
-  /// points.
+  /// Index of the first point of each slab, followed by the index of the first point behind the
+  /// last slab and the number of points.
   std::vector<std::size_t> Starts;
   std::size_t Next = 0;
   vtkNew<vtkOpenGLBufferObject> Vertices;

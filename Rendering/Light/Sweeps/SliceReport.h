@@ -13,7 +13,7 @@ namespace interlume
 
 /**
  * @class   SliceReport
- * @brief   counts the work of vtkShadowedSliceMapper for its last frame
+ * @brief   statistics of the last frame of vtkShadowedSliceMapper
  *
  * Counters of skipped work are 0.
  */
@@ -26,48 +26,50 @@ struct SliceReport
   /// both sides of the volume, or a light inside it, require more than one sweep.
   int Sweeps = 0;
   int FrontToBackSweeps = 0;
-  /// Number of slices of all sweeps, number of slices that intersect a nonempty block, and slice
-  /// spacing of the first sweep in world units.
+  /// Number of slices in all sweeps, number of these slices that intersect a visible block, and
+  /// slice spacing of the first sweep in world units.
   int Slices = 0;
   int SlicesDrawn = 0;
   double SliceSpacing = 0.0;
-  /// Number of passes over the image buffer, over light buffers, and to find opaque samples.
+  /// Number of passes that draw slices into the image buffer, number of passes that draw them into
+  /// light buffers, and number of passes that mark opaque pixels.
   int ImagePasses = 0;
   int LightPasses = 0;
   int OcclusionPasses = 0;
-  /// Number of image buffers and light buffers (one per light that casts shadows), and their bytes.
+  /// Number of image buffers and number of light buffers (one per light that casts shadows), each
+  /// followed by their size in bytes.
   int ImageBuffers = 0;
   vtkIdType ImageBufferBytes = 0;
   int LightBuffers = 0;
   vtkIdType LightBufferBytes = 0;
-  /// Columns and rows of the largest light buffer, and number of attenuated color channels, 1 or 3.
+  /// Number of columns and rows of the largest light buffer, and number of color channels of the
+  /// light buffers: 1 or 3.
   int LightBufferSize = 0;
   int LightChannels = 0;
-  /// Number of area lights that cast shadows, and the method, named after the setting:
-  /// `SampleLayers` (also for SAMPLED_LIGHTS in a vtkShadowedScenePass), `AccumulatedConvolution`
-  /// or `SampledLights`. The method is empty if there are no soft shadows.
+  /// Number of area lights that cast shadows, and the method that computes the shadows:
+  /// `SampleLayers`, `AccumulatedConvolution` or `SampledLights`, or an empty string if there are
+  /// no such lights. In a vtkShadowedScenePass, `SampleLayers` replaces `SampledLights`.
   int SoftShadowLights = 0;
   std::string SoftShadowMethod;
-  /// Number of area lights with hard shadows from their center. They are inside the volume, too
-  /// close, or too large for the method.
+  /// Number of area lights that cast hard shadows from their center because they are inside the
+  /// volume, too close to it, or too large for the method.
   int AreaLightsWithHardShadows = 0;
-  /// Number of sample layers of all lights, of lights that represent samples, and of passes over
-  /// layers or for convolution. Bytes for soft shadows in addition to the light buffers.
+  /// Number of sample layers of all lights, number of lights that replace area lights if the method
+  /// is `SampledLights`, number of passes that update sample layers or compute convolutions, and
+  /// bytes that soft shadows require in addition to the light buffers.
   int LightLayers = 0;
   int SampledLights = 0;
   int SoftShadowPasses = 0;
   vtkIdType SoftShadowBytes = 0;
-  /// Number of grid cells of multiply scattered light, and number of cells blocked by opaque
-  /// surfaces of a vtkShadowedScenePass. Bytes for this light. Number of computations since the
-  /// settings enabled it; a frame that reuses the light does not count. Duration of the last
-  /// computation in seconds.
+  /// For multiply scattered light: number of grid cells, number of cells blocked by opaque surfaces
+  /// of a vtkShadowedScenePass, bytes of the textures, number of computations since it was enabled
+  /// (excluding frames that reuse the result), and duration of the last computation in seconds.
   int ScatteringCells = 0;
   int ScatteringBlockedCells = 0;
   vtkIdType ScatteringBytes = 0;
   int ScatteringSolves = 0;
   double ScatteringSeconds = 0.0;
-  /// Names of the compiled parts of the shaders, separated by spaces. Names of shadow features
-  /// (`shadow`, ...) are included only if a light casts shadows.
+  /// Names of the features compiled into the shaders, separated by spaces, such as `shadow`.
   std::string Features;
 
   /// Number of blocks of the volume, and number of visible blocks.
@@ -75,17 +77,18 @@ struct SliceReport
   int BlocksDrawn = 0;
   /// Number of voxels with NaN or infinity, which are transparent.
   vtkIdType NonFiniteVoxels = 0;
-  /// Bytes of the textures of the volume and of transfer functions, bytes uploaded for this frame,
-  /// and bytes of the slices' triangles, which are uploaded for each frame.
+  /// Bytes of the textures of the volume and of the transfer functions, bytes of textures uploaded
+  /// for this frame, and bytes of the slices' triangles, which are uploaded for each frame.
   vtkIdType TextureBytes = 0;
   vtkIdType UploadedBytes = 0;
   vtkIdType TriangleBytes = 0;
-  /// Size of a pixel of the rendered image in viewport pixels, along an edge.
+  /// Edge length of a pixel of the rendered image, in viewport pixels.
   double ImageSampleDistance = 1.0;
-  /// Duration of this frame in seconds. With AutoAdjustSampleDistances it includes GPU time.
+  /// Rendering time of this frame in seconds. It includes GPU time if AutoAdjustSampleDistances is
+  /// on.
   double Seconds = 0.0;
 
-  /// Replaces all values of \a report by these values.
+  /// Replaces all values of \a report with these values.
   void CopyTo(vtkInterlumeReport* report) const;
 };
 

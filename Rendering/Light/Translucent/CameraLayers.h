@@ -14,10 +14,10 @@ namespace interlume
 
 /**
  * @class   CameraLayers
- * @brief   rendered image of translucent surfaces and the volumes between them, in depth order
+ * @brief   image of translucent surfaces and the volumes between them, composited in depth order
  *
  * The translucent layers that the camera sees divide each view ray into segments. Segment 0 is in
- * front of the first layer, and the last segment behind all layers. Segments and layers are
+ * front of the first layer, and the last segment is behind all layers. Segments and layers are
  * composited from back to front into one floating-point image of premultiplied color and opacity.
  */
 class CameraLayers
@@ -31,13 +31,13 @@ public:
 
   /// Creates an empty image. Returns false if the GPU runs out of memory.
   bool Clear(vtkOpenGLRenderWindow* window, int width, int height);
-  /// Composites a layer over the image. \a draw draws its surfaces.
+  /// Composites a layer over the image. \a draw draws all translucent surfaces.
   void Shade(vtkOpenGLRenderWindow* window, std::size_t layer, LayerShader& shader,
     const std::function<void()>& draw);
-  /// Calls \a draw, which composites over the bound framebuffer, with the image as the framebuffer.
+  /// Binds the image as the framebuffer and calls \a draw, which composites over it.
   void Composite(vtkOpenGLRenderWindow* window, const std::function<void()>& draw);
 
-  /// Composites the image over the viewport. Call it only once after each Clear.
+  /// Composites the image over the viewport. Further calls do nothing until Clear is called.
   void Show(vtkOpenGLRenderWindow* window);
 
   vtkIdType GetBytes() const;

@@ -50,7 +50,8 @@ Error DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width, const std::vec
     isLast = layer.Depths == behind;
     if (!isLast && found == maximum)
     {
-      // There are more layers than the maximum, so the last layer includes all surfaces behind it.
+      // There are more than the maximum number of layers, so the last layer includes all surfaces
+      // behind it.
       this->Layers[found - 1].HasRest = true;
       isLast = true;
     }

@@ -22,10 +22,10 @@ class LayerShader;
 
 /**
  * @class   DepthLayers
- * @brief   peels translucent surfaces: depth of each layer per pixel, starting with the nearest
+ * @brief   depth peeling of translucent surfaces
  *
- * Layer k of a pixel has the k-th distinct fragment depth. If there are fewer fragments, its depth
- * is the background depth.
+ * Layer k contains the k-th smallest fragment depth of each pixel, counting equal depths once. For
+ * pixels with fewer depths, it contains the depth of the background.
  */
 class DepthLayers
 {
@@ -34,8 +34,8 @@ public:
   {
     vtkSmartPointer<vtkTextureObject> Texture;
     std::vector<float> Depths;
-    /// If true, surfaces behind the layer belong to it because the maximum number of layers is
-    /// reached.
+    /// If true, this is the last layer and includes all surfaces behind it, because the maximum
+    /// number of layers was reached.
     bool HasRest = false;
   };
 

@@ -16,7 +16,8 @@ namespace interlume
 
 /**
  * @class   LayerShader
- * @brief   lets VTK's mappers draw their translucent geometry layer by layer
+ * @brief   modifies VTK's shaders so that mappers can draw their translucent geometry layer by
+ * layer
  *
  * This class adds a test to the end of VTK's fragment shaders, after clipping, textures and all
  * other code that determines a fragment's color and opacity. All steps use the same program, so
@@ -31,13 +32,15 @@ public:
     SHOW,
     /// Discard translucent geometry.
     HIDE,
-    /// Write the depth of all fragments, or of the fragments behind a layer.
+    /// Write the depth of all fragments (FIRST), or only of fragments behind a layer (NEXT).
     FIRST,
     NEXT,
-    /// Write the color of fragments in a layer, or in a layer and behind it.
+    /// Write the color of the fragments in a layer (SHADE), or in a layer and behind it
+    /// (SHADE_REST).
     SHADE,
     SHADE_REST,
-    /// Write 1 - opacity of fragments in a layer, or in a layer and behind it.
+    /// Write the transmittance (1 - opacity) of the fragments in a layer (WEAKEN), or in a layer
+    /// and behind it (WEAKEN_REST).
     WEAKEN,
     WEAKEN_REST
   };
@@ -54,10 +57,11 @@ public:
   static void Mark(std::string& fragmentShader);
   void Replace(std::string& fragmentShader) const;
 
-  /// Sets the step of the following draws, and its layer, whose texture must be active.
+  /// Sets the current step. \a layer, an active texture, contains the depths of the layer that the
+  /// step refers to.
   void Begin(Steps step, vtkTextureObject* layer = nullptr);
   bool IsShading() const { return this->Step == SHADE || this->Step == SHADE_REST; }
-  /// Sets the uniforms. \a placeholder must be active.
+  /// Sets the uniforms. \a placeholder is an active texture, used in steps without a layer.
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop, vtkTextureObject* placeholder) const;
 
   /// Draws the translucent geometry of props with the renderer's camera, into the viewport \a part

@@ -41,11 +41,11 @@ public:
     const std::function<void()>& draw);
 
   ///@{
-  /// Creates a texture with one or two channels from values, row by row from the bottom. Returns
-  /// false if the GPU runs out of memory.
+  /// Creates a texture with one or two channels from values in rows from the bottom. Returns false
+  /// if the GPU runs out of memory.
   static bool Upload(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width,
     int height, int channels, const std::vector<float>& values);
-  /// Reads a texture with one channel.
+  /// Returns the texels of a texture with one channel.
   static std::vector<float> Read(vtkTextureObject* texture);
   ///@}
 

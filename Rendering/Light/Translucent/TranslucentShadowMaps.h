@@ -26,7 +26,7 @@ namespace interlume
 
 /**
  * @class   TranslucentShadowMaps
- * @brief   transmittance of translucent surfaces for each light, in layers as seen by the light
+ * @brief   shadow maps of translucent surfaces: transmittance in layers seen from each light
  *
  * A surface of opacity a transmits 1 - a of the light, consistent with its opacity for the camera.
  * The maps are redrawn only if the lights, props or resolution have changed.
@@ -38,8 +38,9 @@ public:
   ~TranslucentShadowMaps();
 
   /**
-   * Draws the maps of all views. \a views must cover \a props. \a bias is DepthBias of
-   * vtkShadowedScenePass. Returns an error if the GPU runs out of memory.
+   * Draws the maps of all views. \a views must contain the bounds of \a props. \a bias is the
+   * DepthBias of vtkShadowedScenePass. \a maximum is the maximum number of layers. Returns an error
+   * if the GPU runs out of memory.
    */
   Error Draw(vtkRenderer* renderer, const ShadowMapViews& views, const std::vector<vtkProp*>& props,
     int resolution, double bias, std::size_t maximum, LayerShader& shader);
@@ -53,15 +54,16 @@ public:
   vtkTextureObject* GetTexture() const { return this->Texture; }
   vtkIdType GetBytes() const;
 
-  /// Returns the GLSL source for a shader, or an empty string if no surface blocks light. If \a
-  /// hasPlanes is true, the shader passes planes to the calls from GetLightFraction.
+  /// Returns the GLSL functions that shaders need, or an empty string if no surface blocks light.
+  /// If \a hasPlanes is true, lookups account for the plane passed to GetLightFraction.
   std::string GetSource(bool hasPlanes) const;
-  /// Returns a GLSL call for the transmittance of a light at a position on a plane, or an empty
-  /// string if no surface blocks the light.
+  /// Returns a GLSL expression for the fraction of a light that reaches a position, or an empty
+  /// string if no surface blocks the light. \a position and \a plane, the plane of the surface
+  /// there, are GLSL expressions.
   std::string GetLightFraction(
     vtkLight* light, const std::string& position, const std::string& plane) const;
-  /// Sets the uniforms of a program with the source from GetSource. \a worldFromPosition transforms
-  /// the program's positions to world coordinates. The texture must be active.
+  /// Sets the uniforms of a program that contains the result of GetSource. \a worldFromPosition
+  /// transforms the program's positions to world coordinates. The texture must be active.
   void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPosition) const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -77,7 +79,7 @@ private:
   ShadowMapAtlas Tiles;
   int Layers = 0;
   vtkTimeStamp DrawTime;
-  /// State of views and props at the last update.
+  /// Views, props and settings at the last update; see ShadowMapAtlas::GetState.
   std::vector<double> State;
 };
 

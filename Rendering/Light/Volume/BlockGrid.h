@@ -11,10 +11,11 @@ namespace interlume
 
 /**
  * @class   BlockGrid
- * @brief   visible blocks of a volume, merged into as few blocks as possible
+ * @brief   visible blocks of a volume, merged into larger blocks where possible
  *
- * Blocks form a rectilinear grid in texture coordinates. All blocks of a layer share its borders,
- * so that no block has a corner on another block's edge.
+ * Blocks form a rectilinear grid in texture coordinates. A layer is the set of blocks that have the
+ * same index along an axis. Only whole layers are merged, so that no block has a corner on the edge
+ * of another block.
  */
 class BlockGrid
 {
@@ -24,11 +25,10 @@ public:
   BlockGrid(
     const std::array<std::vector<double>, 3>& borders, const std::vector<unsigned char>& visible);
 
-  /// Removes the blocks outside \a box. The first and last blocks then extend to the box, and past
-  /// it by \a margin along each axis.
+  /// Crops the blocks to \a box, then extends the outermost blocks by \a margin along each axis.
   void Crop(const std::array<std::array<double, 2>, 3>& box, const std::array<double, 3>& margin);
 
-  /// Merges adjacent layers with the same visible blocks.
+  /// Merges adjacent layers in which the same blocks are visible.
   void Join();
 
   int GetSize(std::size_t axis) const { return static_cast<int>(this->Borders[axis].size()) - 1; }
@@ -39,7 +39,7 @@ public:
 
 private:
   bool AreEqual(std::size_t axis, int layer, int other) const;
-  /// Retains only \a layers along \a axis, with \a borders.
+  /// Retains only the layers with the indices \a layers along \a axis, and sets their \a borders.
   void Keep(std::size_t axis, const std::vector<int>& layers, const std::vector<double>& borders);
 
   std::array<std::vector<double>, 3> Borders;

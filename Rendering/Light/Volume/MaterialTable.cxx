@@ -19,15 +19,16 @@ namespace
 {
 using Range = TransferColumns::Range;
 
-/// Tolerances within which a scalar equals a point of a function, since texels are rounded: in
-/// column widths (OnColumn), and relative to the texel's difference from the offset (OnTexel).
+/// Tolerances within which a scalar counts as equal to a point of a function, since texels are
+/// rounded: OnColumn is relative to the width of a column, OnTexel to the difference between scalar
+/// and offset.
 constexpr double OnColumn = 1e-3;
-/// A ramp up to this fraction of the range counts as a step.
+/// A ramp whose width is at most this fraction of the range counts as a step.
 constexpr double StepWidth = 1e-3;
 constexpr double OnTexel = 1.0 / (1 << 21);
 
 /// Returns the component's range, enlarged if it is too narrow for the precision of texels. The
-/// difference of the ends is finite.
+/// width of the result is finite.
 std::array<double, 2> FindTableRange(const VolumeSamples& samples, int component)
 {
   constexpr double largest = 0.25 * std::numeric_limits<double>::max();
@@ -159,8 +160,8 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
   this->ColorRange[row] = colors.Limit(scalars);
   if (transmission)
   {
-    // Both functions share the range of the columns. A transmission function without points is
-    // black.
+    // The color and transmission functions are sampled over one common range. A transmission
+    // function without points is black.
     const TransferNodes transmissions = transmission->GetSize() > 0
       ? TransferNodes(transmission)
       : TransferNodes(this->ColorRange[row], 0.0, 0.0);
@@ -204,7 +205,8 @@ void MaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
     const std::array<double, 2>& scalars = this->ScalarRange[row];
     Range range{ { 0.0, 0.25 * (scalars[1] - scalars[0]) } };
     TransferNodes nodes(range, 1.0, 1.0);
-    // GetGradientOpacity would create a missing function. A disabled function is 1.
+    // GetGradientOpacity would create a missing function. It returns a constant 1 if gradient
+    // opacity is disabled.
     if (property->HasGradientOpacity(row))
     {
       nodes = GetNodes(property->GetGradientOpacity(row), range, 0.5);

@@ -17,24 +17,24 @@ class VolumeSamples;
 
 /**
  * @class   MaterialTable
- * @brief   color, extinction and gradient opacity as functions of the scalar, in texture layout
+ * @brief   lookup tables of color, extinction and gradient opacity, in the layout of a texture
  *
- * A row contains one component's functions at Columns positions, ends included. The samples cover
- * only the part of the component's range in which the function changes, so that outliers do not
- * reduce the resolution. Outside this part, the functions have the values of its ends. If a
- * function has a breakpoint between two columns, such as a point, step or peak, the interval has a
- * list of breakpoints (see TransferColumns).
+ * Each row contains the functions of one component, sampled at equidistant positions called
+ * columns. The columns cover only the part of the component's range in which the function changes,
+ * so that outliers do not reduce the resolution. Outside this part, the function is constant. If a
+ * function is not linear between two columns, because of a step or peak for example, its
+ * breakpoints there are stored separately (see TransferColumns).
  *
  * If all values of a component are equal, its range starts at this value and has a small width. As
  * in VTK, a function without points is a ramp over the range: colors from 0 to 1, opacities from 0
- * to 0.5. For components that are not independent, the functions, the unit distance and the
+ * to 0.5. For components that are not independent, the property's functions, unit distance and
  * gradient opacity of index 0 apply. As in VTK, weights apply only to two or more independent
  * components.
  *
- * **Gradient opacity** depends on the same magnitude as in vtkGPUVolumeRayCastMapper. It is the
- * length of the central-difference gradient times the mean of the three spacings s:
+ * **Gradient opacity** depends on the same gradient magnitude m as in vtkGPUVolumeRayCastMapper:
+ * the length of the central-difference gradient times the mean of the spacings sx, sy and sz,
  *   m = (sx + sy + sz) / 3 |((f(x + 1) - f(x - 1)) / (2 sx), ... y, ... z)|,
- * where x counts voxels and f is the component that defines the opacity. m is in units of the
+ * where x is a voxel index and f is the component that defines the opacity. m is in units of the
  * scalar. For cubic voxels, it is the change from one voxel to the next. m is clamped to a quarter
  * of the component's range.
  */
@@ -43,10 +43,10 @@ class MaterialTable
 public:
   static constexpr int Columns = TransferColumns::Columns;
 
-  /// Meanings of a voxel's components.
+  /// Meaning of the components of a voxel.
   enum Kinds
   {
-    /// Each component has separate functions and a row. A single component is independent.
+    /// Each component has its own functions, in a separate row. Also used for a single component.
     INDEPENDENT,
     /// The first component defines the color, the second the opacity.
     COLOR_OPACITY,
@@ -54,8 +54,8 @@ public:
     RGB_OPACITY
   };
 
-  /// If IsOn is true, colors are scattering albedos, clamped to 0 to 1. Albedo is the function that
-  /// defines them, or null for the property's colors.
+  /// If IsOn is true, colors are scattering albedos, clamped to [0, 1]. They are given by Albedo
+  /// or, if it is null, by the color functions of the property.
   struct Scattering
   {
     bool IsOn = false;
@@ -82,8 +82,8 @@ public:
   /// difference is within rounding error or a thousandth of a column's width.
   double GetLargestExtinction(int row, double lower, double upper) const;
 
-  /// Returns true if the opacity of all rows changes only by steps, narrower than a thousandth of
-  /// the scalar range, and does not depend on the gradient.
+  /// Returns true if the opacity of all rows changes only in steps and does not depend on the
+  /// gradient. Ramps narrower than a thousandth of the scalar range count as steps.
   bool HasSharpOpacity() const;
 
   /// Returns the smallest positive extinction per world unit, or 0 if everything is transparent.
@@ -100,8 +100,8 @@ public:
   /// Range of the scalar that defines a row's opacity. The ends are never equal, and their
   /// difference is finite.
   std::array<std::array<double, 2>, 4> ScalarRange{};
-  /// Scalars of a row's first and last column, for the color (and transmission) and for the
-  /// opacity. The ends are never equal, and their difference is finite.
+  /// Scalars at the first and last column of a row, for the color and transmission functions and
+  /// for the opacity function. The ends are never equal, and their difference is finite.
   std::array<std::array<double, 2>, 4> ColorRange{};
   std::array<std::array<double, 2>, 4> OpacityRange{};
   /// Red, green, blue, and extinction per world unit times the component's weight. The extinction
@@ -114,18 +114,18 @@ public:
   /// rows without a function or with DisableGradientOpacity. Empty if all values are 1.
   std::vector<float> GradientOpacity;
   std::array<double, 4> GradientRange{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// RGB of the transmitted light for row 0's color range. Empty if there is no transmission
+  /// RGB of the transmitted light, sampled over ColorRange[0]. Empty if there is no transmission
   /// function.
   std::vector<float> Transmission;
-  /// Breakpoint lists: for each column of the tables above, the first texel of its list in Bends,
-  /// or 0.
+  /// For each column of the tables above, the index in Bends of the first texel of its breakpoint
+  /// list, or 0 if it has no list.
   std::vector<int> ColorBends;
   std::vector<int> ExtinctionBends;
   std::vector<int> GradientOpacityBends;
   std::vector<int> TransmissionBends;
-  /// Four floats per texel. Empty if no function has a list.
+  /// Texels of the breakpoint lists, with four floats each. Empty if there are no lists.
   std::vector<float> Bends;
-  /// Edges: start and end of the edge in each column of the tables.
+  /// For each column of the tables above, start and end of its edge; see TransferColumns::Edges.
   std::vector<std::array<float, 2>> ColorEdges;
   std::vector<std::array<float, 2>> ExtinctionEdges;
   std::vector<std::array<float, 2>> GradientOpacityEdges;
@@ -143,7 +143,8 @@ private:
   std::array<TransferNodes, 4> Opacities;
   std::array<double, 4> UnitDistance{ { 1.0, 1.0, 1.0, 1.0 } };
   std::array<double, 4> Weight{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// Offset of the component that defines the opacity. Rounding of texels is relative to it.
+  /// Offset of the component that defines the opacity. The rounding errors of texels are
+  /// proportional to the difference from the offset.
   std::array<double, 4> Offset{};
 };
 

@@ -16,7 +16,7 @@ namespace interlume
 
 namespace
 {
-// Sampling interval along each axis.
+// Sampling interval along each axis, in voxels.
 constexpr int Step = 4;
 
 template <typename Texel>

@@ -11,7 +11,7 @@ class VolumeSamples;
 
 /**
  * @class   OccupancyEstimate
- * @brief   estimates the occupied fraction of the visible blocks
+ * @brief   estimates the fraction of the visible blocks that contains a medium
  */
 class OccupancyEstimate
 {

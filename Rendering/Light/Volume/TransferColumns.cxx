@@ -17,7 +17,7 @@ using TransferMath::GetDistance;
 using TransferMath::Mix;
 
 /// Maximum error of linear interpolation between two columns, as a fraction of the largest value.
-/// If it is exceeded, the interval needs an edge or a list.
+/// If it is exceeded, the interval needs an edge or a breakpoint list.
 constexpr double Straight = 1e-3;
 /// Maximum error inside an edge, averaged over the interval, as a fraction of the largest value.
 constexpr double Curved = 1e-2;
@@ -80,8 +80,8 @@ public:
       { return this->IsClose(breakpoint.Y, Mix(first, last, breakpoint.Fraction), Straight); });
   }
 
-  /// Finds the start and end of an edge, outside which the values are constant. Returns false if
-  /// the interval contains more than an edge.
+  /// Finds the start and end of an edge, before and after which the function is constant. Returns
+  /// false if the function has another shape.
   bool FindEdge(std::array<float, 2>& edge) const
   {
     const Value& first = this->Breakpoints.front().Y;
@@ -99,8 +99,8 @@ public:
     }
     const double from = this->Breakpoints[begin].Fraction;
     const double to = this->Breakpoints[end].Fraction;
-    // An error inside the edge counts in proportion to the edge's width. No error is allowed
-    // outside.
+    // Inside the edge, the tolerance is Curved for the mean error over the interval, and therefore
+    // greater for narrow edges. Outside, it is Straight.
     const double tolerance = std::max(Straight, Curved / std::max(to - from, Curved));
     const auto isEdge = [&](const Breakpoint& breakpoint)
     {
@@ -114,7 +114,7 @@ public:
       return this->IsClose(breakpoint.Y, within, Straight) &&
         this->IsClose(breakpoint.Y, Mix(first, last, fraction), isInside ? tolerance : Straight);
     };
-    // A step has two values at one position.
+    // A step consists of two breakpoints at the same position.
     const bool isFound = from < to
       ? std::all_of(this->Breakpoints.begin(), this->Breakpoints.end(), isEdge)
       : end == begin + 1;
@@ -167,7 +167,7 @@ private:
   std::vector<Breakpoint> Breakpoints;
 };
 
-/// Appends a list of breakpoints to \a bends and returns its first texel.
+/// Appends a list of breakpoints to \a bends and returns the index of its first texel.
 int Append(const std::vector<Breakpoint>& breakpoints, bool isOne, std::vector<float>& bends)
 {
   bends.resize(std::max<std::size_t>(bends.size(), 4), 0.0F);
@@ -204,7 +204,7 @@ TransferColumns::TransferColumns(const TransferNodes& nodes, Channels channels, 
 {
   const double width = (range[1] - range[0]) / (Columns - 1);
   const auto& all = nodes.GetNodes();
-  // The first node to the right of the column.
+  // The first node to the right of the current column.
   auto next = all.begin();
   Interval interval(mapping, all);
   for (int i = 0; i < Columns; ++i)

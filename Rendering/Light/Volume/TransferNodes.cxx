@@ -24,8 +24,8 @@ using Node = TransferNodes::Node;
 /// Maximum number of bisections of a curve.
 constexpr int MaximumDepth = 16;
 constexpr double Tolerance = 1e-5;
-/// Distance from a curve's ends at which the one-sided limits are evaluated, as a fraction of the
-/// curve.
+/// Distance from the ends of a curve at which its one-sided limits are evaluated, as a fraction of
+/// the curve's width.
 constexpr double AtEnd = 1e-9;
 
 double GetSize(const Value& value)
@@ -33,15 +33,16 @@ double GetSize(const Value& value)
   return GetDistance(value, Value{});
 }
 
-/// Returns a position below \a x, the first node, if \a sign is -1, or above \a x, the last node,
-/// if it is 1.
+/// Returns a position outside the points of a function: below the first point \a x if \a sign is
+/// -1, or above the last point \a x if \a sign is 1.
 double GetPositionOutside(double x, double sign)
 {
   return x + sign * std::max(std::abs(x), 1.0);
 }
 
-/// Returns the value at \a x, just before the midpoint of a rise from 0 to 1 with the largest
-/// sharpness. It is 0 if VTK draws a step. Some VTK versions draw the steepest curve instead.
+/// Returns the value at \a x, just before the midpoint, of a rise from 0 to 1 with a sharpness of
+/// 1. The value is 0 in VTK versions in which the rise is a step, and positive in versions in which
+/// it is a steep curve.
 double GetValueBeforeStep(vtkPiecewiseFunction* rise, double x)
 {
   rise->AddPoint(0.0, 0.0, 0.5, 1.0);
@@ -56,7 +57,7 @@ double GetValueBeforeStep(vtkColorTransferFunction* rise, double x)
   return rise->GetRedValue(x);
 }
 
-/// Returns true if this VTK version draws the largest sharpness of a function type as a step.
+/// Returns true if a sharpness of 1 is a step in this VTK version, for functions of type Transfer.
 template <typename Transfer>
 bool MakesSteps()
 {
@@ -103,7 +104,7 @@ template <typename Function>
 void TransferNodes::AddSegment(const Function& function, const Node& a, const Node& b,
   double midpoint, double sharpness, bool steps, Curve curve)
 {
-  // VTK's functions use these thresholds.
+  // VTK's transfer functions use these thresholds.
   constexpr double minimumMidpoint = 0.00001;
   constexpr double straight = 0.01;
   constexpr double step = 0.99;
@@ -223,7 +224,8 @@ TransferNodes::Range TransferNodes::Limit(const Range& range) const
   const double upper =
     last.X + (hasPieces && isStep(*(this->Nodes.end() - 2), last) ? margin * width : 0.0);
   const Range part{ { std::max(range[0], lower), std::min(range[1], upper) } };
-  // If the part were narrower, the scale from texels to columns would overflow single precision.
+  // If the part were narrower than this, the scale factor from texels to columns would overflow
+  // single precision.
   constexpr double least = 1e-33;
   const double size = std::max(std::abs(range[0]), std::abs(range[1]));
   return part[1] - part[0] > least * size && std::isfinite(part[1] - part[0]) ? part : range;

@@ -16,14 +16,15 @@ namespace interlume
  * @class   TransferNodes
  * @brief   a transfer function as a piecewise linear function
  *
- * Nodes are in ascending order. Two nodes at one position form a step from the value of the first
- * node on the left to the value of the second on the right. The function is constant before the
- * first node and after the last. If clamping is off, or if there are colors below and above the
- * range, there are steps at the ends.
+ * Nodes are in ascending order. Two nodes at the same position form a step from the value of the
+ * first node to that of the second. The function is constant before the first node and after the
+ * last. If the VTK function is not clamped, or has colors below or above its range, there are steps
+ * at the ends.
  *
- * Midpoints are nodes. A sharpness of 1 is a step in those VTK versions that draw one (piecewise
- * functions up to VTK 9.2). Curves (other sharpness, color spaces, logarithmic scales) are bisected
- * until the error of the linear pieces is at most 1e-5, relative to the values at the ends.
+ * Midpoints become nodes. A sharpness of 1 becomes a step if it is one in the VTK version in use
+ * (piecewise functions up to VTK 9.2). Curves, which result from the sharpness, the color space or
+ * a logarithmic scale, are bisected until the error of the linear pieces is at most 1e-5, relative
+ * to the values at the ends.
  *
  * Values have three channels, which are equal for a vtkPiecewiseFunction.
  */
@@ -41,41 +42,41 @@ public:
 
   TransferNodes() = default;
   ///@{
-  /// Convert a function that has points.
+  /// Convert \a function, which must have at least one point.
   explicit TransferNodes(vtkPiecewiseFunction* function);
   explicit TransferNodes(vtkColorTransferFunction* function);
   ///@}
-  /// Creates a ramp over a range.
+  /// Creates a ramp from \a first to \a last over \a range.
   TransferNodes(const Range& range, double first, double last);
 
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
-  /// Returns the part of \a range outside which the function keeps its values at the ends of the
-  /// part. Steps at the ends of the function are well inside the part. Returns \a range if the
-  /// function is constant there.
+  /// Returns the part of \a range between the first and last node, outside which the function is
+  /// constant. If the function begins or ends with a step, the part extends past it by a margin. If
+  /// the part is empty or too narrow, returns \a range.
   Range Limit(const Range& range) const;
 
-  /// Returns true if the first channel changes only by steps in \a range, none of them wider than
-  /// \a width.
+  /// Returns true if the first channel changes only in steps in \a range. Ramps up to \a width wide
+  /// count as steps.
   bool IsStepwise(const Range& range, double width) const;
 
   /// Returns the smallest positive value of the first channel at the nodes in \a range and at the
   /// ends of \a range, or 0 if no value is positive.
   double GetSmallestAboveZero(const Range& range) const;
 
-  /// Returns the value at \a x. At a step, returns the value on its right.
+  /// Returns the value at \a x. At a step, returns the value to the right of the step.
   Value Evaluate(double x) const;
 
   /**
-   * Returns the largest value of the first channel in [\a range[0], \a range[1]]. The range also
-   * includes nodes up to \a near[0] below and \a near[1] above. If an end lies that close to a
-   * node, the node's value replaces the value at the end. An end that equals a node up to rounding
-   * error then has the node's value.
+   * Returns the largest value of the first channel in [\a range[0], \a range[1]]. An end of the
+   * range may differ from a node by rounding errors: nodes up to \a near[0] below and \a near[1]
+   * above the range are included, and if there is a node that close to an end, the value at the end
+   * itself is ignored.
    */
   double GetLargest(const Range& range, const Range& near) const;
 
 private:
-  /// Type of the curves between points of sharpness 0.
+  /// Shape of the function between two points with a sharpness of 0.
   enum Curve
   {
     STRAIGHT,
@@ -94,7 +95,7 @@ private:
   void FindLargest();
 
   std::vector<Node> Nodes;
-  /// Maxima of the first channel over 1, 2, 4, ... successive nodes.
+  /// Largest[i][j] is the maximum of the first channel over the 2^i nodes from node j.
   std::vector<std::vector<double>> Largest;
 };
 

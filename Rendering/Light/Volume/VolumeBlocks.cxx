@@ -15,14 +15,14 @@ namespace interlume
 
 namespace
 {
-/// First and last sample of a box along each axis.
+/// A box of samples: index of the first and last sample along each axis.
 struct Box
 {
   std::array<int, 3> First;
   std::array<int, 3> Last;
 };
 
-/// Finds the value ranges of the texels in \a box. Ignores voxels that are not finite.
+/// Finds the range of each component in \a box. Ignores voxels that are not finite.
 template <typename Texel>
 void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double, 2>* ranges)
 {
@@ -124,7 +124,7 @@ void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
 void VolumeBlocks::Join(const VolumeBlocks& small)
 {
   this->SetSize(small.Samples, small.Components, 2 * small.Cells);
-  // Start with empty ranges.
+  // Start with empty ranges, whose minimum is above their maximum.
   std::fill(this->Ranges.begin(), this->Ranges.end(), std::array<double, 2>{ { 1.0, 0.0 } });
   const auto components = static_cast<std::size_t>(this->Components);
   for (int block = 0; block < small.GetNumberOfBlocks(); ++block)

@@ -17,9 +17,9 @@ class VolumeSamples;
  * @class   VolumeBlocks
  * @brief   value ranges and visibility of small blocks of a volume
  *
- * The box of the sample centers is divided into blocks of equal numbers of cells along each axis.
- * The last blocks may be smaller. A block's range includes all samples that interpolation inside it
- * reads, and one more sample on each side for gradients.
+ * The cells between the sample centers are divided into blocks with the same number of cells along
+ * each axis. The last blocks may be smaller. A block's value range includes all samples that are
+ * read to interpolate inside the block, and one more sample on each side for gradients.
  */
 class VolumeBlocks
 {
@@ -28,14 +28,14 @@ public:
   static constexpr int BlockSize = 16;
   static constexpr int SmallSize = BlockSize / 2;
 
-  /// Computes the ranges of blocks of \a cells cells along each axis, in parallel.
+  /// Computes the value ranges of blocks with \a cells cells along each axis, in parallel.
   void Build(const VolumeSamples& samples, int cells = BlockSize);
 
-  /// Combines \a small blocks into blocks of twice the size. The result is the same as that of
-  /// Build().
+  /// Combines the blocks of \a small into blocks of twice the edge length. The result is the same
+  /// as that of Build().
   void Join(const VolumeBlocks& small);
 
-  /// Marks blocks as visible if their range contains a value with a positive extinction.
+  /// Marks blocks as visible if their value range contains a value with a positive extinction.
   void Classify(const MaterialTable& material);
 
   const std::array<int, 3>& GetSize() const { return this->Size; }
@@ -50,8 +50,8 @@ public:
   {
     return { { { this->GetBorders(0), this->GetBorders(1), this->GetBorders(2) } }, this->Visible };
   }
-  /// Returns the block borders along \a axis in texture coordinates from 0 to 1. There is one more
-  /// border than blocks.
+  /// Returns the borders between blocks along \a axis, including both ends, in texture coordinates
+  /// from 0 to 1.
   std::vector<double> GetBorders(int axis) const;
 
 private:
@@ -67,7 +67,7 @@ private:
   std::array<int, 3> Size{ { 0, 0, 0 } };
   std::array<int, 3> Samples{ { 0, 0, 0 } };
   int Components = 0;
-  /// Lower and upper value of each component of each block.
+  /// Smallest and largest value of each component in each block.
   std::vector<std::array<double, 2>> Ranges;
   std::vector<unsigned char> Visible;
   int NumberVisible = 0;

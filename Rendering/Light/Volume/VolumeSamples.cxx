@@ -108,7 +108,8 @@ Extent FindExtent(vtkDataArray* array, vtkIdType voxels)
   return total;
 }
 
-/// Writes the texels, (value - Offset) times \a factors, and the mask if it is used.
+/// Writes the texels, which are (value - Offset) * \a factors for each component, and the mask if
+/// it is not empty.
 template <typename Texel, typename Array>
 void WriteTexels(Array* array, vtkIdType begin, vtkIdType end,
   const std::array<double, LargestComponents>& factors, VolumeSamples& samples)
@@ -132,8 +133,9 @@ void WriteTexels(Array* array, vtkIdType begin, vtkIdType end,
   }
 }
 
-/// Returns 0 if the smallest magnitude is at most the width of the range, otherwise the center of
-/// the range. The difference between a float and such a center is exactly representable as a float.
+/// Returns 0 if the smallest magnitude in the range is at most the range's width, otherwise the
+/// center of the range. The difference between a float in the range and this center is exactly
+/// representable as a float.
 double FindOffset(const std::array<double, 2>& range)
 {
   const double smallest = std::max({ range[0], -range[1], 0.0 });
@@ -144,7 +146,7 @@ double FindOffset(const std::array<double, 2>& range)
   return range[0] + 0.5 * (range[1] - range[0]);
 }
 
-/// Returns the largest power of two that is not above the largest difference from the offset.
+/// Returns the largest power of two that does not exceed the largest difference from the offset.
 double FindScale(const std::array<double, 2>& range, double offset)
 {
   // With smaller exponents, ratios of scales and ranges would overflow double precision.
@@ -177,14 +179,14 @@ Error VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, 
   }
 
   const Extent extent = FindExtent(array, voxels);
-  // Types of up to 16 bits are integers. VTK reports the size of a bit as 0.
+  // All types of up to 16 bits are integers. VTK reports a size of 0 for VTK_BIT.
   const int typeBytes = std::max(vtkDataArray::GetDataTypeSize(array->GetDataType()), 1);
   const double lowest = vtkDataArray::GetDataTypeMin(array->GetDataType());
   this->Format = typeBytes > 2 ? FLOAT32 : typeBytes == 1 && !widens ? UNORM8 : UNORM16;
   for (int c = 0; c < components; ++c)
   {
     const bool any = extent.Range[c][0] <= extent.Range[c][1];
-    // Adding 0 turns -0, whose occurrence depends on the order of the values, into 0.
+    // Adding 0 turns -0 into 0. Which of the two is found depends on the order of the values.
     this->Range[c] = any
       ? std::array<double, 2>{ { extent.Range[c][0] + 0.0, extent.Range[c][1] + 0.0 } }
       : std::array<double, 2>{ { 0.0, 0.0 } };
@@ -209,7 +211,7 @@ Error VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, 
   this->Components = components;
   this->NonFinite = extent.NonFinite;
 
-  // 257 times a byte is the same fraction of 65535 as the byte is of 255.
+  // 257 * byte is the same fraction of 65535 as byte is of 255.
   const double integerFactor = typeBytes == 1 && this->Format == UNORM16 ? 257.0 : 1.0;
   std::array<double, LargestComponents> factors{};
   for (int c = 0; c < components; ++c)

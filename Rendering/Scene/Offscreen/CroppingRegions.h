@@ -14,18 +14,18 @@ namespace interlume
 
 /**
  * @class   CroppingRegions
- * @brief   the visible regions of a cropped vtkVolumeMapper, as half spaces and gaps inside them
+ * @brief   the visible regions of a cropped vtkVolumeMapper, as half-spaces and gaps inside them
  *
- * Up to six half spaces bound all visible regions. They cut exactly, like a smaller box or clipping
- * planes. Regions that do not fill the half spaces leave gaps. Shaders remove these gaps from rays
- * with thresholds and flags (CROPPING in ShaderFeatures).
+ * Up to six half-spaces bound all visible regions. They clip the volume exactly, by a smaller box
+ * or by clipping planes. Hidden regions within the half-spaces are gaps, which shaders cut out of
+ * rays using thresholds and flags (CROPPING in ShaderFeatures).
  */
 class INTERLUMESCENE_EXPORT CroppingRegions
 {
 public:
   using Box = std::array<std::array<double, 2>, 3>;
   using Planes = std::vector<std::array<double, 4>>;
-  /// An affine matrix, row by row.
+  /// An affine matrix in row-major order.
   using Matrix = std::array<double, 16>;
 
   /// Crops nothing.
@@ -37,9 +37,10 @@ public:
   CroppingRegions(const std::array<double, 6>& planes, int flags, const Matrix& linesToVolume);
 
   /**
-   * Clips \a box, the lower and upper bound along each axis, to the half spaces. \a boxToVolume
-   * transforms from box coordinates to volume coordinates. Appends half spaces oblique to the box
-   * to \a planes: (a, b, c, d) with a x + b y + c z + d >= 0 in ray coordinates.
+   * Clips \a box, given by its lower and upper bound along each axis, to the half-spaces. \a
+   * boxToVolume transforms from box coordinates to volume coordinates. Half-spaces oblique to the
+   * box are appended to \a planes instead, as (a, b, c, d) with a x + b y + c z + d >= 0 in ray
+   * coordinates.
    */
   void Cut(const Matrix& boxToVolume, Box& box, Planes& planes) const;
 
@@ -56,10 +57,12 @@ private:
 
   int Flags = All;
   bool IsGapped = false;
-  /// Axes of the volume, of length 1 in ray coordinates, and the thresholds along them.
+  /// Unit vectors along the volume's axes, in ray coordinates, and the cropping thresholds along
+  /// them.
   std::array<std::array<double, 3>, 3> Axes{};
   Box Thresholds{};
-  /// Bounds of the half spaces in volume coordinates and along the axes; infinite if unbounded.
+  /// Bounds of the visible regions along the volume's axes, in volume coordinates and in ray
+  /// coordinates; infinite if unbounded.
   Box VolumeBounds{};
   Box Bounds{};
 };

@@ -17,8 +17,8 @@ namespace interlume
  */
 namespace FloatTexture
 {
-/// Allocates \a texture with the requested size and format. A texture that already fits keeps its
-/// contents. It is interpolated linearly if \a isSmooth. Returns its size in bytes, or 0 if
+/// Allocates \a texture with the requested size and format, with linear interpolation if \a
+/// isSmooth. A texture that already fits keeps its contents. Returns the size in bytes, or 0 if
 /// allocation fails.
 INTERLUMESCENE_EXPORT vtkIdType Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   int width, int height, int channels, bool isSmooth);

@@ -26,15 +26,15 @@ namespace interlume
  * @class   ImageQuad
  * @brief   composites a floating-point image over the viewport
  *
- * The image holds red, green and blue, premultiplied by opacity, and opacity. Depth is neither
- * tested nor written, since the image was rendered with the scene's depth. With SELECTION, depth is
- * both tested and written. An image smaller than the viewport is stretched with the texture's
- * filter.
+ * The image has RGBA channels, with colors premultiplied by opacity. Depth is neither tested nor
+ * written, since the image was rendered with the scene's depth. With SELECTION, depth is both
+ * tested and written. An image smaller than the viewport is stretched with the texture's filter.
  *
  * Features are words separated by spaces:
  * - SATURATE: each channel is clamped to 1
  * - SUM: the image's color is added to the background, regardless of opacity
- * - SELECTION: the fourth channel is the depth, 0 to 1; pixels with a negative value are discarded
+ * - SELECTION: the fourth channel is the depth, in [0, 1]; pixels with a negative value are
+ *   discarded
  */
 class INTERLUMESCENE_EXPORT ImageQuad
 {
@@ -66,8 +66,8 @@ public:
   ///@}
 
   /**
-   * Draws with a custom fragment shader. The shader reads \a texture as `image` at `texCoord`, 0 to
-   * 1. \a setUniforms sets its other uniforms.
+   * Draws with a custom fragment shader. The shader samples \a texture as `image` at `texCoord`, in
+   * [0, 1]. \a setUniforms sets any other uniforms.
    */
   void DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     const std::string& fragmentShader,

@@ -72,7 +72,7 @@ void PeelingDeferral::RemoveObserver()
 bool PeelingDeferral::Defer(
   vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  // One command serves all peels of a frame. It is removed if there is no peeling.
+  // Register one command for all peels of a frame, and none without peeling.
   this->RemoveObserver();
   if (!IsPeeled(volume))
   {

@@ -31,10 +31,10 @@ public:
   void operator=(const PeelingDeferral&) = delete;
 
   /**
-   * Returns true if the volume is being peeled. The mapper must not draw then. Its Render is called
-   * again at the end of the renderer's frame and draws the volume over translucent polygons, as if
-   * UseDepthPeelingForVolumes were off. The first time, the mapper warns that it ignores the
-   * setting.
+   * Returns true if the volume is being peeled. In this case, the mapper must not draw. Its Render
+   * is called again at the end of the renderer's frame to draw the volume over translucent
+   * polygons, as if UseDepthPeelingForVolumes were off. The first time, the mapper warns that it
+   * ignores the setting.
    */
   bool Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 

@@ -15,7 +15,7 @@ namespace interlume
 
 /**
  * @class   PropSelection
- * @brief   draws a prop in a hardware selector's color, where the prop's image is not transparent
+ * @brief   draws a prop's hardware selection color wherever its image is not transparent
  */
 class INTERLUMESCENE_EXPORT PropSelection
 {

@@ -26,8 +26,8 @@ namespace SceneDepth
 /// another renderer. Ignores \a volume itself.
 INTERLUMESCENE_EXPORT bool MayOcclude(vtkRenderer* renderer, vtkProp* volume);
 
-/// Reads the depth row by row from the bottom. Sets \a size to the number of columns and rows.
-/// Returns false on failure.
+/// Reads the depth, bottom row first. Sets \a size to the number of columns and rows. Returns false
+/// on failure.
 INTERLUMESCENE_EXPORT bool Read(
   vtkRenderer* renderer, std::vector<float>& depths, std::array<int, 2>& size);
 

@@ -14,10 +14,10 @@ namespace interlume
  */
 namespace ShaderFeatures
 {
-/// Returns \a source with two replacements. The line `//INTERLUME::FEATURES` becomes one `#define`
-/// for each word of \a features, which is a name or name=value. The line `//INTERLUME::CUTS`
-/// becomes the functions of InterlumeRayCuts.glsl. They clip rays to the box of a volume, to
-/// clipping planes (CLIPPING_PLANES, their number) and to cropping regions (CROPPING).
+/// Replaces two lines of \a source. The line `//INTERLUME::FEATURES` becomes one `#define` for each
+/// word of \a features, which is a name or name=value. The line `//INTERLUME::CUTS` becomes the
+/// functions of InterlumeRayCuts.glsl, which clip rays to the box of a volume, to clipping planes
+/// (feature CLIPPING_PLANES=number) and to cropping regions (feature CROPPING).
 INTERLUMESCENE_EXPORT std::string Insert(const std::string& source, const std::string& features);
 }
 

@@ -47,13 +47,13 @@ public:
    * Returns true for each pixel that this process shows. A pixel is shown by the process that has
    * the closest opaque surface there, because the volume is blended over this surface. A pixel
    * without a surface is shown by the first process. \a depths are the depths of this process's
-   * surfaces, 0 to 1, and become the minimum over all processes.
+   * surfaces, in [0, 1], and become the minimum over all processes.
    */
   static std::vector<bool> FindShown(const PieceExchange& exchange, std::vector<float>& depths);
 
 private:
   /// Draws the sums or maxima of \a blend in this partition. If \a tetrahedra is not null, draws
-  /// only these.
+  /// only those.
   std::vector<float> DrawPiece(
     TetrahedraFrame::Blends blend, const std::vector<std::uint32_t>* tetrahedra);
   std::vector<float> DrawSum(

@@ -103,7 +103,7 @@ private:
   /// Draws the image of all partitions, together with the other processes.
   Error RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     vtkOpenGLRenderWindow& window, TetrahedraReport& report);
-  /// Returns the processes from front to back; empty if the blend mode needs no order.
+  /// Returns the ranks of the processes from front to back; empty if the blend mode needs no order.
   static std::vector<int> FindPieceOrder(
     vtkRenderer* renderer, vtkVolume* volume, const PieceExchange& pieces);
   /// Updates the changed parts of this process's partition. Returns an error if it cannot be drawn.

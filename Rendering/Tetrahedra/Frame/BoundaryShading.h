@@ -31,8 +31,7 @@ public:
 
   struct Light
   {
-    /// Position of the light, or the direction to it, in eye coordinates and in units of
-    /// TetrahedraView.
+    /// Position of the light, or the direction toward it, in the eye coordinates of TetrahedraView.
     glm::vec3 Position;
     bool IsPositional;
     std::array<float, 3> Color;
@@ -45,8 +44,8 @@ public:
     vtkRenderer* renderer, const TetrahedraView& view, vtkProperty* property, vtkTexture* texture);
 
   /**
-   * Returns the color, premultiplied by opacity, and the opacity at a point in eye coordinates. \a
-   * normal is in mesh coordinates and may have any length and orientation.
+   * Returns the RGBA color, premultiplied by opacity, at a point in eye coordinates. \a normal is
+   * in mesh coordinates and may have any length and orientation.
    */
   Color Shade(const glm::dvec3& eye, const glm::dvec3& normal,
     const std::array<double, 2>& textureCoordinates) const;
@@ -57,9 +56,9 @@ public:
   /// Returns the ambient, diffuse and specular coefficients and the specular power.
   const Color& GetCoefficients() const { return this->Coefficients; }
   const std::array<float, 3>& GetSpecularColor() const { return this->SpecularColor; }
-  /// Returns the 3 x 3 matrix that transforms normals from mesh to eye coordinates, in rows.
+  /// Returns the 3 x 3 matrix from mesh to eye coordinates for normals, in row-major order.
   const std::array<float, 9>& GetNormalMatrix() const { return this->NormalMatrix; }
-  /// Returns the texture's pixels, row by row from the bottom; empty if there is no texture.
+  /// Returns the texture's pixels, bottom row first; empty if there is no texture.
   const std::vector<Color>& GetImage() const { return *this->Image; }
   int GetImageWidth() const { return this->ImageWidth; }
   int GetImageHeight() const { return this->ImageHeight; }

@@ -14,7 +14,7 @@ namespace interlume
 namespace
 {
 using Value = std::array<double, 4>;
-/// Maximum number of bisections. The narrowest piece is 2^-24 of a control point interval.
+/// Maximum depth of recursive bisection. The narrowest piece is 2^-24 of a control point interval.
 constexpr int DEPTH = 24;
 constexpr double TOLERANCE = 1e-4;
 
@@ -51,7 +51,7 @@ public:
     return value;
   }
 
-  // Returns the control points inside the range, and its ends, sorted.
+  // Returns the ends of the range and the control points inside it, in ascending order.
   std::vector<double> GetNodes(const double range[2]) const
   {
     std::vector<double> nodes = { range[0], range[1] };

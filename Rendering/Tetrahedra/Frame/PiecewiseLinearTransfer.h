@@ -33,7 +33,8 @@ public:
 
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 
-  /// A linear piece: Value + Slope (f - start), up to the start of the next piece.
+  /// A linear piece: Value + Slope (f - start) for a normalized scalar f from the start of the
+  /// piece to the start of the next.
   struct alignas(16) Piece
   {
     Sample Value;
@@ -50,7 +51,7 @@ public:
   /// Returns the indices of the pieces that contain i / 1024, for i from 0 to 1024.
   const std::vector<int>& GetBuckets() const { return this->First; }
 
-  /// Returns the piece that contains \a f, in [0, 1].
+  /// Returns the index of the piece that contains \a f, which must be in [0, 1].
   int Find(float f) const
   {
     int piece = this->First[static_cast<std::size_t>(f * BUCKETS)];

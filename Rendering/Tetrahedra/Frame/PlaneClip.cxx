@@ -156,7 +156,7 @@ void PlaneClip::Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpo
 std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFields& fields,
   const Part& part, const std::array<double, 4>& distances)
 {
-  // Sort the corners: on the plane, inside, outside.
+  // Sort the corners by side: on the plane, inside, outside.
   std::array<int, 4> k{ { 0, 1, 2, 3 } };
   const auto side = [&distances](int corner) {
     return distances[corner] > ON_PLANE ? 1 : distances[corner] < -ON_PLANE ? 2 : 0;

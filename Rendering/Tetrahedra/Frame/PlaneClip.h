@@ -21,11 +21,11 @@ namespace interlume
  * @class   PlaneClip
  * @brief   cuts tetrahedra at the near plane and at clipping planes
  *
- * A plane leaves one to three parts of a tetrahedron that it cuts. The parts are tetrahedra, which
- * the next plane cuts in turn. They and their points are appended to the mesh and its fields. In
- * the drawing order they replace the original tetrahedron, sorted front to back. The appended data
- * do not depend on the view: if the camera moves but the planes do not, only the order is uploaded
- * again. A plane outside the mesh's bounding box costs only the box test.
+ * If a plane cuts a tetrahedron, one to three parts remain. The parts are tetrahedra, which the
+ * next plane cuts in turn. The final parts and their points are appended to the mesh and its
+ * fields. In the drawing order, the parts replace the original tetrahedron, sorted front to back.
+ * The appended data do not depend on the view: if the camera moves but the planes do not, only the
+ * order is uploaded again. A plane outside the mesh's bounding box costs only the box test.
  */
 class PlaneClip
 {
@@ -34,8 +34,8 @@ public:
   using Plane = glm::dvec4;
 
   /**
-   * Appends the parts. \a order is front to back, or null for the mesh order without sorting. If
-   * IsActive() then returns true, use GetOrder() instead of \a order.
+   * Appends the parts. \a order lists tetrahedra from front to back; null means mesh order without
+   * sorting. If IsActive() then returns true, use GetOrder() instead of \a order.
    */
   void Append(TetrahedraMesh& mesh, TetrahedraFields& fields, const std::vector<Plane>& planes,
     const Viewpoint& view, const std::vector<std::uint32_t>* order);
@@ -76,15 +76,17 @@ private:
   /// Classifies tetrahedra as retained, dropped or cut.
   void Classify(const TetrahedraMesh& mesh);
   void CutAll(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view);
-  /// Cuts a part of a tetrahedron by the planes with index \a plane and above, and appends the
-  /// remaining parts to the mesh and to Parts, front to back unless \a view is null.
+  /// Cuts a part of a tetrahedron with the planes from index \a plane on. Appends the remaining
+  /// parts to the mesh and to Parts, front to back unless \a view is null.
   void Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view,
     std::uint32_t tetrahedron, const Part& part, std::size_t plane);
-  /// Cuts a part by a plane, given the distances of its corners, and appends new points. Returns up
-  /// to three parts. The first three corners of each part are the last three of the previous part.
+  /// Cuts a part with a plane, given the signed distances of its corners from the plane, and
+  /// appends new points. Returns up to three parts. The first three corners of each part are the
+  /// last three of the previous part.
   static std::vector<Part> Split(TetrahedraMesh& mesh, TetrahedraFields& fields, const Part& part,
     const std::array<double, 4>& distances);
-  /// Sorts the last ranges of Parts, one for each part from Split(), front to back.
+  /// Sorts the entries at the end of Parts front to back. \a ranges contains the range of entries
+  /// of each of the \a parts from Split().
   void Sort(const TetrahedraMesh& mesh, const Viewpoint& view, const std::vector<Part>& parts,
     const std::vector<Range>& ranges);
   void AppendPart(

@@ -8,7 +8,7 @@ namespace interlume
 
 namespace
 {
-// Abscissas and weights of 8-point Gauss-Legendre quadrature on [-1, 1].
+// Positive abscissas and their weights for 8-point Gauss-Legendre quadrature on [-1, 1].
 constexpr std::array<double, 4> ABSCISSAS = { { 0.1834346424956498, 0.5255324099163290,
   0.7966664774136267, 0.9602898564975363 } };
 constexpr std::array<double, 4> WEIGHTS = { { 0.3626837833783620, 0.3137066458778873,

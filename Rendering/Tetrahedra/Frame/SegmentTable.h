@@ -27,9 +27,9 @@ namespace interlume
 class SegmentTable
 {
 public:
-  /// The size of the table. Columns sample 1 + D with eight steps per octave, linear within an
-  /// octave, so the column follows from the bits of 1 + D as a float. Rows sample 1 - sqrt((1 -
-  /// delta) / 2), which is finer where the front end is transparent.
+  /// The size of the table. Columns sample 1 + D with eight linear steps per octave, so the column
+  /// follows from the bits of 1 + D as a float. Rows sample 1 - sqrt((1 - delta) / 2) uniformly,
+  /// which gives finer steps of delta where the front end is transparent.
   static constexpr int STEPS_LOG2 = 3;
   static constexpr int COLUMNS = (24 << STEPS_LOG2) + 1;
   static constexpr int ROWS = 65;

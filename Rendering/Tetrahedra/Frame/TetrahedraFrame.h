@@ -41,7 +41,7 @@ struct TetrahedraFrame
     int Colors = 0;
     int Order = 0;
     int Surface = 0;
-    /// Boundary triangles, but not their lighting, because a change of lighting requires no upload.
+    /// Changes of the boundary triangles, but not of their lighting, which requires no upload.
     int Boundary = 0;
 
     bool operator==(const Changes& other) const
@@ -60,11 +60,10 @@ struct TetrahedraFrame
   /// Planes that cut the mesh, in mesh coordinates. The parts that PlaneClip appends change only if
   /// the mesh or these planes change.
   std::vector<glm::dvec4> Planes;
-  /// Tetrahedra in drawing order: front to back, or by layers from the highest priority. Null for
+  /// Tetrahedra in drawing order: front to back, or by layer from the highest priority. Null means
   /// mesh order.
   const std::vector<std::uint32_t>* Order = nullptr;
-  /// Depth of the closest opaque surface at each pixel, in rows from the bottom; null if there is
-  /// none.
+  /// Depth of the closest opaque surface at each pixel, bottom row first; null if there is none.
   const float* Opaque = nullptr;
   /// Shading of the boundary triangles; null if they are not drawn.
   const BoundaryShading* Surface = nullptr;

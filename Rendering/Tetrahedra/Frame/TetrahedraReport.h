@@ -15,12 +15,13 @@ namespace interlume
  * @class   TetrahedraReport
  * @brief   values that vtkTimeWeightedTetrahedraMapper reports for its last image
  *
- * Counts of steps that were not executed are 0. Strings are empty before the first image.
+ * Counts are 0 for steps that were not executed. Strings are empty before the first image.
  */
 struct TetrahedraReport
 {
-  /// vtkTimeWeightedTetrahedraMapper::RenderPaths, BlendModes, SortModes and SilhouetteShaders,
-  /// after automatic choices were resolved. The shader is 0 with the software path.
+  /// Values of the enums RenderPaths, BlendModes, SortModes and SilhouetteShaders of
+  /// vtkTimeWeightedTetrahedraMapper, after automatic choices were resolved. SilhouetteShader is 0
+  /// with the software path.
   int RenderPath = 0;
   int BlendMode = 0;
   int SortMode = 0;
@@ -34,13 +35,13 @@ struct TetrahedraReport
   /// composite`. `delta-t` and `surface` are listed only if they are used.
   std::string Features;
 
-  /// Number of tetrahedra of the input, of tetrahedra drawn (in view, at this level of detail), and
+  /// Number of tetrahedra in the input, of tetrahedra drawn (in view, at this level of detail), and
   /// of tetrahedra cut by the near plane or a clipping plane.
   vtkIdType Tetrahedra = 0;
   vtkIdType TetrahedraDrawn = 0;
   vtkIdType TetrahedraClipped = 0;
-  /// Number of tetrahedra skipped because they have no volume, and because of NaN or infinity in a
-  /// coordinate or array at a corner.
+  /// Number of tetrahedra skipped because their volume is zero, and of tetrahedra skipped because a
+  /// coordinate or array value at a corner is NaN or infinite.
   vtkIdType FlatTetrahedra = 0;
   vtkIdType NonFiniteTetrahedra = 0;
   /// Number of boundary triangles drawn, and of input triangles that are not faces of tetrahedra.
@@ -69,7 +70,7 @@ struct TetrahedraReport
   vtkIdType UploadedStaticBytes = 0;
   vtkIdType UploadedOrderBytes = 0;
   vtkIdType UploadedImageBytes = 0;
-  /// Number of off-screen buffers, and bytes in GPU buffers and in main memory.
+  /// Number of off-screen buffers, bytes of GPU buffers, and bytes in main memory.
   int Buffers = 0;
   vtkIdType BufferBytes = 0;
   vtkIdType MemoryBytes = 0;

@@ -29,7 +29,7 @@ namespace interlume
 
 namespace
 {
-// Reasons to skip a tetrahedron.
+// Reasons to skip a tetrahedron, or DRAWN if it is not skipped.
 enum Reasons : unsigned char
 {
   DRAWN,
@@ -56,7 +56,7 @@ bool HoldsForAll(vtkIdType number, const Work& work)
   return holds;
 }
 
-// Returns the first cell that is not a tetrahedron, or -1.
+// Returns the index of the first cell that is not a tetrahedron, or -1.
 vtkIdType FindNonTetrahedron(vtkUnstructuredGrid* grid)
 {
   std::atomic<vtkIdType> found{ std::numeric_limits<vtkIdType>::max() };
@@ -137,7 +137,7 @@ public:
       this->Arrays.HasPoint(point);
   }
 
-  // Sets the mesh's origin and scale, which map coordinates to [-1, 1].
+  // Sets the mesh's origin and scale so that mesh coordinates are in [-1, 1].
   void Measure(TetrahedraMesh& mesh) const
   {
     ThreadLocals<vtkBoundingBox> boxes;
@@ -200,7 +200,7 @@ public:
   {
   }
 
-  // Returns the reason to skip a cell regardless of its points, or DRAWN if there is none.
+  // Returns the reason to skip a cell, or DRAWN. Does not check the points of the cell.
   Reasons GetCellReason(vtkIdType cell) const
   {
     const bool isGhost = this->Ghosts &&

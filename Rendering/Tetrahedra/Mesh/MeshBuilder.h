@@ -17,10 +17,10 @@ namespace interlume
 
 /**
  * @class   MeshBuilder
- * @brief   builds the drawn mesh from a grid, and detects whether another grid has the same mesh
+ * @brief   builds the mesh to draw from a grid, and checks whether another grid gives the same mesh
  *
- * It skips tetrahedra without volume, ghost cells, and tetrahedra with NaN or infinity in a
- * coordinate or array.
+ * It skips ghost cells, tetrahedra without volume, and tetrahedra with NaN or infinity in their
+ * coordinates or array values.
  */
 class MeshBuilder
 {
@@ -31,9 +31,9 @@ public:
   Error Build(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh);
 
   /**
-   * Returns true if Build() would create a mesh that is bit-identical to \a mesh. This is the case
-   * if points and cells did not change, and the same points and cells as before have finite values.
-   * It compares values, not array pointers, because readers create new arrays for each time step.
+   * Returns true if Build() would create the same mesh as \a mesh, the result of the last Build().
+   * This requires the same points and cells, with finite array values at the same points and cells.
+   * Values, not array pointers, are compared, because readers create new arrays for each time step.
    */
   bool IsSame(
     vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, const TetrahedraMesh& mesh) const;
@@ -43,11 +43,11 @@ public:
   std::size_t GetBytes() const { return this->BadPoints.capacity() + this->Marks.capacity(); }
 
 private:
-  /// Removes marked tetrahedra from the mesh and counts them.
+  /// Removes the tetrahedra that are skipped according to Marks, and counts them.
   void RemoveSkipped(TetrahedraMesh& mesh);
 
-  /// 1 for each point with NaN or infinity in a coordinate or array; empty if there is no such
-  /// point.
+  /// 1 for each point with NaN or infinity in its coordinates or array values; empty if there is no
+  /// such point.
   std::vector<unsigned char> BadPoints;
   /// Reason to skip each cell (0: drawn); empty if no cell is skipped.
   std::vector<unsigned char> Marks;

@@ -37,7 +37,7 @@ struct TetrahedraArrays
     return true;
   }
 
-  /// Return true if all values of a point or cell are finite.
+  /// Return true if all array values of a point or cell are finite.
   bool HasPoint(vtkIdType point) const
   {
     return (!this->Scalars || this->HasCellScalars || IsFinite(this->Scalars, point)) &&

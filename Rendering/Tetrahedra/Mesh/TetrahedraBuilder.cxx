@@ -32,7 +32,7 @@ int TetrahedraBuilder::GetColoringComponent(vtkDataArray* scalars, vtkVolumeProp
 
 namespace
 {
-// Returns the scalar used for coloring: a component or the magnitude.
+// Returns the scalar used for coloring: a component, or the magnitude if component is -1.
 double GetValue(vtkDataArray* array, vtkIdType id, int component)
 {
   if (component >= 0)
@@ -97,7 +97,7 @@ void TetrahedraBuilder::BuildFields(
     fields.DeltaT.resize(points);
     for (std::size_t p = 0; p < points; ++p)
     {
-      // No tetrahedron of the mesh uses a point whose value is not finite.
+      // The value may be NaN or infinity, but then no tetrahedron of the mesh uses the point.
       fields.DeltaT[p] =
         static_cast<float>(arrays.DeltaT->GetComponent(static_cast<vtkIdType>(p), 0));
     }

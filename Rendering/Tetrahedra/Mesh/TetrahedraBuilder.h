@@ -15,21 +15,21 @@ namespace interlume
 
 /**
  * @class   TetrahedraBuilder
- * @brief   builds the drawn fields from the arrays of a grid
+ * @brief   builds TetrahedraFields from the arrays of a grid
  */
 class TetrahedraBuilder
 {
 public:
   /**
-   * Builds all fields except scalars and colors.
+   * Builds the extents in time and the layers.
    */
   static void BuildFields(
     const TetrahedraArrays& arrays, const TetrahedraMesh& mesh, TetrahedraFields& fields);
 
   /**
-   * Sets the kind of the fields. For the kind SCALARS, sets the scalars, whose colors are looked up
-   * during drawing; otherwise sets the colors. Extinction is opacity times \a unit. Returns an
-   * error if there are too many components.
+   * Sets the kind of the fields, and then either the scalars (kind SCALARS; their colors are looked
+   * up during drawing) or the colors (other kinds). Extinction is opacity times \a unit. Returns an
+   * error if the scalars have too many components.
    */
   static Error BuildColors(const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
     vtkVolumeProperty* property, double unit, TetrahedraFields& fields);

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * Values at the points and in the tetrahedra of a TetrahedraMesh. Extinction, the fourth component
- * of a color, is per unit length in mesh coordinates (TetrahedraMesh::Scale).
+ * of a color, is per unit of length in mesh coordinates.
  */
 struct TetrahedraFields
 {
@@ -35,11 +35,11 @@ struct TetrahedraFields
   /// Layer of each tetrahedron; empty unless layers are drawn.
   std::vector<int> Layers;
   /// Bit mask of each tetrahedron: bit k is set if the face opposite corner k is a boundary
-  /// triangle. Faces, Normals and TextureCoordinates are empty if no boundary is drawn.
+  /// triangle. Faces, Normals and TextureCoordinates are empty if no boundary triangles are drawn.
   std::vector<unsigned char> Faces;
   /// Normals at points.
   std::vector<std::array<float, 3>> Normals;
-  /// Texture coordinates at points; empty if the boundary has none.
+  /// Texture coordinates at points; empty if the boundary triangles have none.
   std::vector<std::array<float, 2>> TextureCoordinates;
 };
 

@@ -31,8 +31,8 @@ double TetrahedraMesh::GetRadius() const
 
 bool TetrahedraMesh::HasPointBehind(const glm::dvec4& plane, double tolerance) const
 {
-  // All points are in the cube from -1 to 1. Skip the search if this cube is in front of the plane.
-  // The factor allows for rounding.
+  // All points are in the cube [-1, 1]^3. Skip the search if this cube is in front of the plane.
+  // The factor allows for rounding errors.
   if (plane.w >= (1.0 + 1e-9) * (std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z)))
   {
     return false;

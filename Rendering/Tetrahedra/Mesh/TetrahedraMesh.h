@@ -29,7 +29,7 @@ struct Viewpoint
 
 /**
  * The tetrahedra to draw. Points have coordinates from -1 to 1; Origin + Scale * point is the
- * position in the input. There are no degenerate tetrahedra and no NaN.
+ * position in the input. The mesh contains no tetrahedra without volume and no NaN.
  */
 struct TetrahedraMesh
 {
@@ -51,7 +51,7 @@ struct TetrahedraMesh
   {
     return &this->Points[3 * static_cast<std::size_t>(id)];
   }
-  /// Returns the signed distance of a point to a plane with a unit normal.
+  /// Returns the signed distance of a point from a plane with a unit normal.
   double GetDistance(const glm::dvec4& plane, std::uint32_t id) const
   {
     const double* point = this->GetPoint(id);

@@ -66,14 +66,14 @@ std::vector<float> MakePoints(const TetrahedraMesh& mesh)
   return values;
 }
 
-/// Number of tetrahedra per draw call. The indices of their vertices, four each, must fit in 16
-/// bits.
+/// Maximum number of tetrahedra per draw call. The indices of their vertices, four per tetrahedron,
+/// must fit in 16 bits.
 constexpr int STRIPS = 1 << 14;
 /// A strip of four vertices as two triangles. The provoking (last) vertex of the second triangle is
 /// vertex 3.
 constexpr std::array<std::uint16_t, 6> STRIP = { { 0, 1, 2, 2, 1, 3 } };
 
-/// Returns a shader with the given features and the silhouette code.
+/// Returns the shader with the given features and the GLSL code that computes the silhouette.
 std::string MakeSilhouetteShader(const char* shader, const std::string& features)
 {
   std::string source = ShaderFeatures::Insert(shader, features);
@@ -428,7 +428,7 @@ bool OpenGLRasterizer::DrawLayers(vtkOpenGLRenderWindow* window, const Tetrahedr
   this->Framebuffer->AddColorAttachment(0, this->Layers);
   window->GetState()->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  // The uploaded order is reversed for blending.
+  // The uploaded order is the reverse of frame.Order.
   const auto layer = [&](std::size_t i)
   { return frame.Fields->Layers[(*frame.Order)[number - 1 - i]]; };
   std::size_t first = 0;
@@ -526,7 +526,7 @@ Error OpenGLRasterizer::Draw(
   }
   report.Features = this->GetFeatures(frame, hasOpaque);
 
-  // This block restores OpenGL's drawing state at its end.
+  // Framebuffer bindings are restored explicitly, other drawing state at the end of the block.
   state->PushFramebufferBindings();
   {
     const ScopedState scoped(state);

@@ -29,11 +29,11 @@ namespace interlume
  * @class   OpenGLRasterizer
  * @brief   draws tetrahedra with OpenGL 3.2
  *
- * Mesh and fields are uploaded once, as texture buffers. A tetrahedron is drawn as one point, from
- * which a geometry shader creates the silhouette, or as four vertices, for which a vertex shader
+ * Mesh and fields are uploaded as texture buffers, and only when they change. If only the view
+ * changes, at most the drawing order is uploaded. Each tetrahedron is drawn either as one point,
+ * from which a geometry shader creates the silhouette, or as four vertices, whose vertex shader
  * reads the tetrahedron from the buffers. The second method suits GPUs with slow geometry shaders.
- * A new view requires at most an upload of the drawing order. Sums are accumulated in a
- * floating-point framebuffer, which is finally blended over the scene.
+ * Tetrahedra are drawn into a floating-point framebuffer, which is finally blended over the scene.
  */
 class OpenGLRasterizer
 {
@@ -42,7 +42,8 @@ public:
   ~OpenGLRasterizer();
 
   /**
-   * Returns an error if the context does not support this number of tetrahedra and points.
+   * Returns an error if the context does not support OpenGL 3.2, or if the mesh has more tetrahedra
+   * or points than a texture buffer can have texels.
    */
   Error FindError(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const;
 
@@ -75,8 +76,8 @@ private:
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque);
   void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame);
-  /// Draws the layers one over another if Blend is PRIORITY, otherwise all tetrahedra at once.
-  /// Returns false if the shaders cannot be compiled.
+  /// Draws and composites layer by layer if Blend is PRIORITY; otherwise draws all tetrahedra at
+  /// once. Returns false if the shaders cannot be compiled.
   bool DrawLayers(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     const std::string& features, bool hasOpaque);
   bool DrawLayer(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
@@ -90,10 +91,10 @@ private:
   void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, TetrahedraReport& report);
 
   static constexpr TetrahedraFrame::Changes NONE{ -1, -1, -1, -1, -1, -1 };
-  /// The versions of the uploaded data, and the planes that cut the uploaded mesh.
+  /// Versions of the uploaded data, and the planes that cut the uploaded mesh.
   TetrahedraFrame::Changes Uploaded = NONE;
   std::vector<glm::dvec4> Planes;
-  /// Texture buffers by the names of their uniforms.
+  /// Texture buffers by uniform name.
   std::map<std::string, TextureBuffer> Buffers;
   vtkNew<vtkTextureObject> SurfaceTexture;
   vtkNew<vtkTextureObject> Sums;
@@ -102,7 +103,7 @@ private:
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkOpenGLVertexArrayObject> Vertices;
-  /// Indices of two triangles for each of STRIPS tetrahedra, for vertex pulling.
+  /// OpenGL index buffer for vertex pulling: two triangles for each of STRIPS tetrahedra.
   unsigned int Strips = 0;
   ImageQuad Quad;
   ImageQuad ResolveQuad;

@@ -20,13 +20,14 @@ class TetrahedraSelection
 {
 public:
   /**
-   * Returns true if the current pass of the selector draws cells of a volume.
+   * Returns true if tetrahedra are drawn in the current pass: in all passes except those for point
+   * ids.
    */
   static bool IsDrawn(vtkHardwareSelector* selector);
 
   /**
-   * Returns four values for each pixel: the color for this pass, and the depth buffer value, or a
-   * negative number if there is no cell. \a cells are cell ids plus 1, or 0 for no cell.
+   * Returns four values for each pixel: the RGB color for the current pass, and the depth buffer
+   * value, which is negative if there is no cell. \a cells are cell ids plus 1, or 0 for no cell.
    */
   static std::vector<float> MakeImage(vtkHardwareSelector* selector, const TetrahedraView& view,
     const std::vector<vtkIdType>& cells, const std::vector<float>& depths);

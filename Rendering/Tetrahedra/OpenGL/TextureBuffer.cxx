@@ -35,7 +35,7 @@ vtkIdType TextureBuffer::Upload(
   this->Texture->SetContext(window);
   if (types[format] != VTK_FLOAT)
   {
-    // CreateTextureBuffer() does not choose an integer format by default.
+    // This call selects an integer format, which CreateTextureBuffer() does not do by default.
     this->Texture->GetInternalFormat(types[format], components[format], true);
   }
   this->Texture->CreateTextureBuffer(

@@ -24,7 +24,7 @@ namespace
 using Ids = std::array<std::uint32_t, 3>;
 constexpr std::uint32_t NONE = 0xffffffffu;
 
-// Mixes a 64-bit word into a hash (finalizer of MurmurHash3).
+// Mixes a 64-bit word into a hash (first steps of the finalizer of MurmurHash3).
 std::size_t Mix(std::uint64_t hash, std::uint64_t word)
 {
   hash ^= word;
@@ -61,7 +61,7 @@ Position GetPosition(vtkDataSet* data, vtkIdType point)
   return position;
 }
 
-// Returns the grid's point id for each point of the triangles, or NONE.
+// Returns the grid's point id for each point of the triangles, or NONE if there is none.
 std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGrid* grid)
 {
   const vtkIdType points = triangles->GetNumberOfPoints();
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGri
   return match;
 }
 
-// Adds a triangle's normal, weighted by area, to its corners.
+// Adds a triangle's normal, weighted by area, to the normals of its corners.
 void AddNormal(const TetrahedraMesh& mesh, const Ids& ids, TetrahedraFields& fields)
 {
   const auto point = [&](int i) { return glm::make_vec3(mesh.GetPoint(ids[i])); };
@@ -141,8 +141,7 @@ BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructure
     }
   }
 
-  // Triangles by their sorted corners, with a flag that is set when a tetrahedron with this face is
-  // found.
+  // Sorted corners of each triangle, and whether a tetrahedron with this face was found.
   std::unordered_map<Ids, bool, Hash> faces;
   std::vector<bool> isCorner(points, false);
   vtkNew<vtkIdList> ids;

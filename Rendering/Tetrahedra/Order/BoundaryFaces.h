@@ -26,7 +26,7 @@ public:
   struct Counts
   {
     vtkIdType Triangles = 0;
-    /// Number of cells that are not triangles or not faces of a tetrahedron.
+    /// Number of input cells that are not triangles or that are not the face of a tetrahedron.
     vtkIdType Unmatched = 0;
   };
 

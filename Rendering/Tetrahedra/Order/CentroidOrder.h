@@ -15,12 +15,12 @@ namespace interlume
  * @class   CentroidOrder
  * @brief   sorts tetrahedra by their centroids, front to back
  *
- * In perspective, the key is the squared distance of the centroid to the camera, not the depth
- * along the view axis, so rotating the camera does not change the order. In parallel projection,
- * the key is the depth along the view direction. Keys have single precision. To keep their
- * precision for a distant camera, the smallest squared distance to the bounding sphere is
- * subtracted. Equal keys are ordered by tetrahedron number. The order does not depend on the number
- * of threads.
+ * In perspective, the sort key is the squared distance of the centroid from the camera, not the
+ * depth along the view axis, so rotating the camera does not change the order. In parallel
+ * projection, the key is the depth along the view direction. Keys have single precision. So that
+ * they are precise enough for a distant camera, the squared distance between the camera and the
+ * bounding sphere is subtracted. Tetrahedra with equal keys are ordered by index. The order does
+ * not depend on the number of threads.
  *
  * The order is approximate: tetrahedra of different sizes may be swapped. See VisibilityOrder for
  * an exact order.
@@ -28,7 +28,7 @@ namespace interlume
 class CentroidOrder
 {
 public:
-  /// Fills \a frontToBack with the numbers of all tetrahedra. Internal buffers are reused in the
+  /// Fills \a frontToBack with the indices of all tetrahedra. Internal buffers are reused in the
   /// next call.
   void Compute(
     const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack);

@@ -20,7 +20,7 @@ namespace interlume
  * this computation. All other signs are therefore correct.
  *
  * An edge-on face covers no pixels. Without this rule, coplanar faces of a structured mesh, in a
- * plane that contains the camera, would get random signs, which would create cycles.
+ * plane that contains the camera, would get random signs, which would create visibility cycles.
  */
 class EdgeOnRule
 {

@@ -16,10 +16,10 @@ namespace
 {
 constexpr vtkIdType Grain = 8192;
 
-// Corners of each face, counterclockwise from outside for a positive volume.
+// Corners of each face, counterclockwise as seen from outside if the volume is positive.
 constexpr int Outward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
-// Edges of a tetrahedron from its first corner.
+// The first corner of a tetrahedron and the edges from it to the other corners.
 struct Edges
 {
   Edges(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
@@ -37,9 +37,9 @@ struct Edges
   glm::dvec3 W;
 };
 
-// Bits for the orientation of a tetrahedron. Bit k (0 to 3) is set if the point ids of face k,
-// counterclockwise from outside, are an odd permutation of the sorted ids. Two tetrahedra on
-// different sides of a face have different bits for it.
+// Bits that describe the orientation of a tetrahedron. Bit k (0 to 3) is set if the point ids of
+// face k, counterclockwise as seen from outside, are an odd permutation of the sorted ids. If two
+// tetrahedra are on opposite sides of a shared face, their bits for this face differ.
 constexpr unsigned int PositiveBit = 0x10;
 constexpr unsigned int FlatBit = 0x20;
 

@@ -32,7 +32,8 @@ public:
   void Compute(
     const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<unsigned char>& inFront) const;
 
-  /// Returns the open faces of tetrahedra with a volume, ascending, numbered as in FaceAdjacency.
+  /// Returns the indices (see FaceAdjacency) of the open faces of tetrahedra with nonzero volume,
+  /// ascending.
   const std::vector<std::uint32_t>& GetOpenFaces() const { return this->OpenFaces; }
   /// Returns the corners of a face, counterclockwise as seen from outside of its tetrahedron.
   std::array<std::uint32_t, 3> GetOutwardCorners(

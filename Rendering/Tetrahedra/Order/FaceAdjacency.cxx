@@ -39,7 +39,7 @@ std::array<std::uint32_t, 3> GetSortedIds(const TetrahedraMesh& mesh, std::uint3
   return { { a, b, c } };
 }
 
-// A face in a group with equal lowest ids: the other two ids, and the face number.
+// A face in a group of faces with the same lowest point id: its other two point ids, and its index.
 struct Candidate
 {
   std::uint64_t Rest;
@@ -51,7 +51,7 @@ struct Candidate
   }
 };
 
-// Matches the faces that occur exactly twice.
+// Sets the twins of the faces that occur exactly twice.
 void Match(std::vector<Candidate>& candidates, std::vector<std::uint32_t>& twins)
 {
   std::sort(candidates.begin(), candidates.end());
@@ -97,7 +97,8 @@ std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
   vtkSMPTools::For(0, faces, Grain,
     [&](vtkIdType first, vtkIdType last)
     {
-      // A group with equal lowest ids belongs to the range in which it begins.
+      // A group of faces with the same lowest point id is processed in the range in which it
+      // begins.
       while (first < last && first > 0 && lowest[order[first]] == lowest[order[first - 1]])
       {
         ++first;

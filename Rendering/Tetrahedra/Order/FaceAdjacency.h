@@ -20,7 +20,7 @@ namespace FaceAdjacency
 {
 /// No face.
 constexpr std::uint32_t None = 0xffffffffu;
-/// Maximum number of tetrahedra; face numbers have 32 bits.
+/// Maximum number of tetrahedra; face indices have 32 bits.
 constexpr std::uint32_t MaximumNumberOfTetrahedra = (1u << 30) - 1;
 
 /// Returns the twin of each face, which is the same face in the neighboring tetrahedron, or None.

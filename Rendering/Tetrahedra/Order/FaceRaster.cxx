@@ -38,9 +38,9 @@ FaceRaster::Edge FaceRaster::MakeEdge(
 
 void FaceRaster::FindRectangle(const std::array<glm::dvec3, 3>& corners)
 {
-  // In perspective, use only the part of the triangle in front of the camera. A point closer to the
-  // camera plane than a millionth of the triangle's depth is in the image only if it is that close
-  // to the camera.
+  // In perspective, use only the part of the triangle in front of the camera. Ignore points closer
+  // to the camera plane than a millionth of the triangle's maximum depth: they are visible only if
+  // they are also that close to the camera itself.
   const double nearest = this->Projection.IsParallel() ? std::numeric_limits<double>::lowest()
                                                        : 1e-6 * this->MaximumDepth;
   if (!this->Projection.IsParallel() && this->MaximumDepth <= 0.0)

@@ -16,14 +16,14 @@ namespace interlume
  * @brief   finds the pixels whose view rays intersect a triangle, and their depths
  *
  * It works in homogeneous coordinates (M. Olano, T. Greer, "Triangle scan conversion using 2D
- * homogeneous coordinates", 1997), so triangles need not be clipped at the camera plane. The
- * function of each edge is computed from the lower to the higher point id. Adjacent triangles
- * therefore round in the same way, and a closed surface has no cracks.
+ * homogeneous coordinates", 1997), so triangles need not be clipped at the camera plane. Each edge
+ * function is computed from the corner with the lower point id to the other corner. Adjacent
+ * triangles therefore round their shared edge in the same way, and a closed surface has no cracks.
  */
 class FaceRaster
 {
 public:
-  /// \a corners are in image coordinates, \a ids are their point ids.
+  /// \a corners are in image coordinates; \a ids are their point ids.
   FaceRaster(const FrameProjection& projection, const std::array<glm::dvec3, 3>& corners,
     const std::array<std::uint32_t, 3>& ids);
 
@@ -32,8 +32,9 @@ public:
   FrameProjection::Range GetRows() const { return this->Rows; }
 
   /**
-   * Calls visit(column, depth, isFront) for the pixels in a row, left to right. isFront is true if
-   * the corners appear counterclockwise. Depths are positive in perspective.
+   * Calls visit(column, depth, isFront) for the pixels of the triangle in a row, from left to
+   * right. isFront is true if the corners appear counterclockwise. Depths are positive in
+   * perspective.
    */
   template <typename Visit>
   void VisitRow(int row, const Visit& visit) const;
@@ -87,9 +88,9 @@ void FaceRaster::VisitRow(int row, const Visit& visit) const
     if (positive == 0 || positive == 3)
     {
       const double depth = this->FindDepth(x, y);
-      // A pixel can be behind the camera only if the triangle crosses the camera plane. The
-      // computed depth of other triangles is uncertain if they are nearly edge-on, so it is clamped
-      // to the depths of the corners.
+      // If the triangle crosses the camera plane, skip pixels at which it is behind the camera. The
+      // computed depth is inaccurate if the triangle is nearly edge-on, so clamp it to the depths
+      // of the corners.
       if (this->MinimumDepth > 0.0 || this->Projection.IsParallel() || depth > 0.0)
       {
         const double bounded = depth < this->MinimumDepth ? this->MinimumDepth

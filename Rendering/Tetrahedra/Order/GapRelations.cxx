@@ -18,7 +18,7 @@ namespace interlume
 namespace
 {
 constexpr vtkIdType Grain = 2048;
-// Rows per band. The lists of a band's pixels must fit in a cache.
+// Number of rows per band. The event lists of a band should fit in the CPU cache.
 constexpr int BandHeight = 16;
 
 using Relations = std::vector<ViewRayEvents::Relation>;

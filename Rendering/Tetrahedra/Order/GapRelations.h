@@ -32,7 +32,7 @@ class EyeSides;
 class GapRelations
 {
 public:
-  /// Finds all relations; none if \a rays have no pixels.
+  /// Finds all relations. There are none if \a rays has no pixels.
   void Compute(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays);
 
   /// Returns the number of related pairs, without duplicates.
@@ -42,8 +42,8 @@ public:
   }
   ///@{
   /**
-   * Return the tetrahedra in front of each tetrahedron t, ascending, in the range [GetOffsets()[t],
-   * GetOffsets()[t + 1]) of GetInFront(). Both are empty if there are no relations.
+   * The tetrahedra in front of tetrahedron t are GetInFront()[i], ascending, for i from
+   * GetOffsets()[t] to GetOffsets()[t + 1] - 1. Both arrays are empty if there are no relations.
    */
   const std::vector<std::uint32_t>& GetOffsets() const { return this->Offsets; }
   const std::vector<std::uint32_t>& GetInFront() const { return this->InFront; }

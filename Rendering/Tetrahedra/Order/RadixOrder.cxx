@@ -119,7 +119,7 @@ void RadixOrder::Sort(const std::uint32_t* keys, std::uint32_t number, std::uint
     const Digit digit = { pass * digitBits, (1u << digitBits) - 1 };
     const bool isFirst = pass == 0;
     const bool isLast = pass + 1 == passes;
-    // The two buffers alternate.
+    // Passes alternate between the two buffers.
     std::vector<Item>& to = this->Items[pass & 1];
     if (!isLast)
     {

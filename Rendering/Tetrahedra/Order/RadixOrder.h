@@ -24,7 +24,8 @@ public:
   /// Writes the indices 0 to \a number - 1 to \a order, in ascending order of their keys.
   void Sort(const std::uint32_t* keys, std::uint32_t number, std::uint32_t* order);
 
-  /// Returns a key that has the same order as \a value; -0 equals 0. NaN has no key.
+  /// Converts a number to a key. Keys have the same order as numbers, and -0 equals 0. NaN is
+  /// invalid.
   static std::uint32_t MakeKey(float value)
   {
     constexpr std::uint32_t signBit = 0x80000000u;
@@ -50,10 +51,10 @@ private:
     std::uint32_t Mask;
   };
 
-  // Sets the number of chunks, the minimum key and the number of bits of the largest difference
-  // from it.
+  // Sets the number of chunks, the minimum key, and the number of bits of the difference between
+  // the maximum and the minimum key.
   void Prepare(const std::uint32_t* keys, std::uint32_t number);
-  // Runs one pass. Source is called with an index, Destination with an index and an item.
+  // Runs one pass. source(i) returns item i, and destination(position, item) stores an item.
   template <typename Source, typename Destination>
   void Scatter(Digit digit, const Source& source, const Destination& destination);
   template <typename Work>
@@ -64,7 +65,7 @@ private:
   std::uint32_t MinimumKey = 0;
   int Bits = 0;
   std::vector<Item> Items[2];
-  // Counts for each chunk and each digit value, then the next index to write.
+  // For each chunk and digit value: first the number of items, then the position of the next item.
   std::vector<std::uint32_t> Counts;
 };
 

@@ -61,7 +61,7 @@ const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
   this->Kind = LAYERS;
   this->Visibility.reset();
   this->Priorities = priorities;
-  // Collect the members of each layer, then concatenate the layers from the highest priority.
+  // Collect the members of each layer, then concatenate the layers by descending priority.
   std::map<int, std::vector<std::uint32_t>> members;
   for (std::size_t t = 0; t < layers.size(); ++t)
   {

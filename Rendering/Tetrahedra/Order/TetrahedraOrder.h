@@ -48,8 +48,8 @@ public:
     Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view);
 
   /**
-   * Returns the order by layers, from the highest priority. Within a layer, tetrahedra remain in
-   * mesh order.
+   * Returns the tetrahedra by descending priority of their layers. Within a layer, tetrahedra are
+   * in mesh order.
    */
   const std::vector<std::uint32_t>* ComputeLayers(
     const std::vector<int>& layers, const std::map<int, double>& priorities);
@@ -59,7 +59,8 @@ public:
 
   bool WasComputed() const { return this->Computed; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
-  /// Return the counts of the last visibility order.
+  /// Return the number of tetrahedra in cycles and the number of relations across gaps in the last
+  /// visibility order.
   vtkIdType GetCycles() const;
   vtkIdType GetGaps() const;
   bool HasAdjacency() const { return this->Visibility != nullptr; }

@@ -8,7 +8,7 @@ namespace interlume
 
 namespace
 {
-// Insertion sort, which is fastest for the usual few events.
+// Insertion sort, which is fastest for few events.
 void SortByInsertion(ViewRayEvents::Event* first, ViewRayEvents::Event* last)
 {
   for (ViewRayEvents::Event* next = first + 1; next < last; ++next)
@@ -23,8 +23,8 @@ void SortByInsertion(ViewRayEvents::Event* first, ViewRayEvents::Event* last)
   }
 }
 
-// Removes both events of each tetrahedron that the ray only touches. Rounding may have put the two
-// in either order. Returns the new end.
+// Removes both events of each tetrahedron that the ray only touches. Because of rounding, either
+// event may be first. Returns the new end.
 ViewRayEvents::Event* RemoveTouched(
   ViewRayEvents::Event* first, ViewRayEvents::Event* last, double tolerance)
 {
@@ -51,8 +51,8 @@ ViewRayEvents::Event* RemoveTouched(
   return end;
 }
 
-// Moves the first entry or exit, depending on isEntry, to the front if its depth is within the
-// tolerance of the first depth.
+// Moves the first entry (or the first exit if isEntry is false) to the front if its depth is within
+// the tolerance of the first depth.
 void BringForward(
   ViewRayEvents::Event* first, ViewRayEvents::Event* last, bool isEntry, double tolerance)
 {

@@ -27,7 +27,7 @@ public:
       return this->Depth != other.Depth ? this->Depth < other.Depth : this->Face < other.Face;
     }
   };
-  /// A tetrahedron that is in front of another.
+  /// Two tetrahedra, one in front of the other.
   struct Relation
   {
     std::uint32_t Back;

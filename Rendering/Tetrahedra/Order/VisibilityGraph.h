@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   VisibilityGraph
- * @brief   the tetrahedra that must be drawn directly before each tetrahedron
+ * @brief   for each tetrahedron, the neighbors across faces and gaps that must be drawn before it
  *
  * It does not own its arrays.
  */
@@ -26,8 +26,8 @@ struct VisibilityGraph
   const std::uint32_t* GapOffsets = nullptr;
   const std::uint32_t* Gaps = nullptr;
 
-  /// Returns the next tetrahedron in front of \a tetrahedron, or None. Pass 0 in \a position at
-  /// first; each call advances it.
+  /// Returns the next of the tetrahedra in front of \a tetrahedron, or None after the last one.
+  /// \a position must be 0 in the first call, and is advanced by each call.
   std::uint32_t GetNext(std::uint32_t tetrahedron, std::uint32_t& position) const
   {
     if (position < 4)

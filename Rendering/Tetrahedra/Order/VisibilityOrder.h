@@ -47,7 +47,7 @@ public:
   bool Build(const TetrahedraMesh& mesh);
 
   /**
-   * Fills \a frontToBack with the numbers of all tetrahedra. If \a rays has no pixels, only shared
+   * Fills \a frontToBack with the indices of all tetrahedra. If \a rays has no pixels, only shared
    * faces are considered, which is exact for a convex mesh.
    */
   void Compute(

@@ -10,7 +10,7 @@ namespace interlume
 
 namespace
 {
-/// Value in Numbers for a listed tetrahedron, larger than any step.
+/// Value in Numbers of tetrahedra that are already listed. It is larger than any step.
 constexpr std::uint32_t Listed = 0xffffffffu;
 }
 
@@ -23,7 +23,7 @@ std::uint32_t VisibilitySearch::List(const VisibilityGraph& graph,
   this->Ranks.clear();
   frontToBack.clear();
   frontToBack.reserve(centroids.size());
-  // Prefetch distance that hides the memory latency.
+  // Number of tetrahedra to prefetch ahead, to hide the memory latency.
   constexpr std::size_t ahead = 24;
   for (std::size_t i = 0; i < centroids.size(); ++i)
   {

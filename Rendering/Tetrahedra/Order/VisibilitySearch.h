@@ -52,7 +52,8 @@ private:
   void SortByCentroid(
     const std::vector<std::uint32_t>& centroids, std::uint32_t* first, std::uint32_t* last);
 
-  /// Step at which each tetrahedron was entered, from 1; 0 before that, Listed after it was output.
+  /// Step, counted from 1, at which each tetrahedron was entered; 0 before that, and Listed after
+  /// it was output.
   std::vector<std::uint32_t> Numbers;
   std::uint32_t LastNumber = 0;
   std::uint32_t InCycles = 0;

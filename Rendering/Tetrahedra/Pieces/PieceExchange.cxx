@@ -36,7 +36,8 @@ int PieceExchange::GetNumberOfRanks() const
 
 std::vector<int> PieceExchange::Unite(const std::vector<int>& numbers) const
 {
-  // All processes must send the same count, so shorter lists are padded with duplicates.
+  // All processes must send the same count. Shorter lists are padded with duplicates, empty lists
+  // with `none`.
   constexpr int none = std::numeric_limits<int>::lowest();
   std::vector<int> maximum{ static_cast<int>(numbers.size()) };
   this->ReduceMax(maximum);

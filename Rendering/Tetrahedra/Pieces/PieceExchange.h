@@ -25,9 +25,9 @@ class PieceExchange
 {
 public:
   /**
-   * \a blend is the blend mode of all partitions, not AUTOMATIC_BLEND. \a bounds are the bounds of
-   * all partitions. \a boxes computes the visibility order of the processes; null if \a blend needs
-   * no order.
+   * \a blend is the blend mode of all partitions, not AUTOMATIC_BLEND. \a bounds enclose all
+   * partitions. \a boxes computes the visibility order of the processes; null if \a blend needs no
+   * order.
    */
   PieceExchange(vtkMultiProcessController* controller, int blend,
     const std::array<double, 6>& bounds, std::unique_ptr<PieceOrder> boxes);
@@ -39,7 +39,7 @@ public:
   int GetNumberOfRanks() const;
 
   ///@{
-  /// Replace each number by its sum, maximum or minimum over all processes.
+  /// Replace each number with its sum, maximum or minimum over all processes.
   template <typename Number>
   void ReduceSum(std::vector<Number>& numbers) const
   {
@@ -59,7 +59,7 @@ public:
   /// Returns the set union of the numbers of all processes, ascending.
   std::vector<int> Unite(const std::vector<int>& numbers) const;
   /**
-   * Replaces RGBA values, premultiplied by opacity, by the composite of all processes. \a order
+   * Replaces RGBA values, premultiplied by opacity, with the composite of all processes. \a order
    * lists the processes from front to back, and must be the same in all processes.
    */
   void Composite(std::vector<float>& colors, const std::vector<int>& order) const;
@@ -73,7 +73,7 @@ private:
       own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), operation);
   }
   /**
-   * Sends numbers to the process that is \a distance positions behind this process in \a order.
+   * Sends \a numbers to the process that is \a distance positions behind this process in \a order.
    * Returns the numbers of the process that is \a distance positions in front; empty if there is no
    * such process.
    */

@@ -9,8 +9,8 @@ namespace interlume
 
 namespace
 {
-/// Partitions are cut in single precision, so boxes may overlap by this fraction of their group's
-/// length.
+/// Partition boundaries have single precision, so boxes may overlap by this fraction of the extent
+/// of the group that is being divided.
 constexpr double OVERLAP = 1e-6;
 
 bool HasContent(const PieceOrder::Box& box)

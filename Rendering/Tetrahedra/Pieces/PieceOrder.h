@@ -15,7 +15,7 @@ namespace interlume
  * Axis-aligned planes recursively separate the boxes into two groups until each group has one box
  * (a BSP tree; Fuchs, Kedem, Naylor 1980). Boxes on the camera's side of a plane may hide boxes on
  * the other side, but never the reverse, so the order is exact. Boxes that touch are separable, and
- * so are boxes that overlap by at most a millionth of the length of their group.
+ * so are boxes that overlap by at most a millionth of the extent of their group.
  */
 class PieceOrder
 {
@@ -25,7 +25,7 @@ public:
 
   explicit PieceOrder(const std::vector<Box>& boxes);
 
-  /// Returns true if planes separate all boxes.
+  /// Returns true if axis-aligned planes can separate all boxes.
   bool IsPossible() const { return this->Possible; }
 
   /**
@@ -37,7 +37,7 @@ public:
 
 private:
   /// An inner node has a plane that separates its two children. A leaf has boxes, at most one of
-  /// which is not empty.
+  /// which is not empty if IsPossible() is true.
   struct Node
   {
     int Axis = -1;

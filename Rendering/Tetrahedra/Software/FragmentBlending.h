@@ -23,9 +23,9 @@ public:
 
   ///@{
   /**
-   * Composite segments behind the colors already in their pixels. A pixel contains color times
-   * opacity, and opacity. CompositeWithSurface also composites boundary triangles in front of and
-   * behind each segment.
+   * Composite segments behind the colors already in their pixels. A pixel contains RGB
+   * premultiplied by opacity, and opacity. CompositeWithSurface also composites boundary triangles
+   * in front of and behind each segment.
    */
   static void Composite(const Fragments& fragments, const TetrahedraFrame& frame, Pixel* pixels);
   static void CompositeWithSurface(const Fragments& fragments, const TetrahedraFrame& frame,
@@ -49,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Update the maximum scalar in channel 0 of each pixel, or the maximum of color times opacity in
-   * each channel. Opacity is extinction times \a unit, clamped to 1.
+   * Update the maximum scalar in channel 0 of each pixel, or the maxima of the four channels: RGB
+   * premultiplied by opacity, and opacity. Opacity is extinction times \a unit, clamped to 1.
    */
   static void MaximizeScalar(const Fragments& fragments, Pixel* pixels);
   static void MaximizeColor(
@@ -58,13 +58,14 @@ public:
   ///@}
 
   /**
-   * Converts a sum of colors weighted by optical depth to color times opacity.
+   * Converts a sum of colors weighted by optical depth to RGB premultiplied by opacity, and
+   * opacity.
    */
   static Pixel Resolve(const Pixel& sum);
 
   /**
-   * Converts the sum or maximum in a pixel to color times opacity, by the blend mode of \a frame.
-   * With PRIORITY, layers must already be converted by Resolve().
+   * Converts the sum or maximum in a pixel to RGB premultiplied by opacity, and opacity, according
+   * to the blend mode of \a frame. With PRIORITY, layers must already be converted by Resolve().
    */
   static Pixel Finish(const Pixel& sum, const TetrahedraFrame& frame);
 

@@ -38,7 +38,7 @@ inline float ExpOfMinus(float x)
   return p * scale;
 }
 
-// Returns 1 - exp(-x) for x below THIN, with the relative error of a float.
+// Returns 1 - exp(-x) for x below THIN, accurate to float precision.
 inline float ThinOpacityOf(float x)
 {
   return x *
@@ -53,8 +53,8 @@ inline float OpacityOf(float x)
   return x < THIN ? ThinOpacityOf(x) : 1.0f - ExpOfMinus(x);
 }
 
-// Optical depth per unit length and its distribution along a segment, for linear extinction and
-// extent in time.
+// Optical depth per unit of length, and its distribution along a segment on which extinction and
+// extent in time vary linearly.
 struct Moments
 {
   float Mean;
@@ -197,8 +197,8 @@ void MakeThinOpacities(Fragments& f)
       {
         const float depth = f.OpticalDepth[i];
         const float delta = f.Slope[i];
-        // Series expansion of 1 - Psi in the optical depth. Its coefficients are moments of the
-        // optical depth in front of a point of the segment.
+        // Series expansion of 1 - Psi (see SegmentTable) in the optical depth. Its coefficients are
+        // moments of the fraction of the optical depth in front of a point on the segment.
         const float g1 = 0.5f - delta * (1.0f / 6.0f);
         const float g2 = 1.0f / 3.0f - delta * (1.0f / 6.0f - delta * (1.0f / 30.0f));
         const float g3 = 0.25f - delta * (0.15f - delta * (0.05f - delta * (1.0f / 140.0f)));
@@ -213,7 +213,7 @@ void MakeThinOpacities(Fragments& f)
     f);
 }
 
-// Computes weights and opacity from the table, for optical depths of at least THIN.
+// Computes weights and opacity from SegmentTable, for optical depths of at least THIN.
 void MakeThickOpacities(Fragments& f)
 {
   const SegmentTable& table = SegmentTable::Get();
@@ -264,8 +264,8 @@ void MakeDepths(Fragments& f, bool isExact)
     f, isExact);
 }
 
-// Converts the weights of colors to weights of a piece's value and slope. A color is the value plus
-// the slope times the scalar, relative to the start of the piece.
+// Converts the weights of the colors at both ends to weights of the value and slope of their
+// transfer function piece. f.Scalar is relative to the start of the piece.
 void MakePieceWeights(Fragments& f)
 {
   SimdDispatch::CallFused(
@@ -358,7 +358,8 @@ void FragmentIntegration::CutAt(
 
 namespace
 {
-/// For at most this many pieces, comparing with each start is faster than a search.
+/// For at most this many pieces, comparing a scalar with the start of each piece is faster than a
+/// search.
 constexpr int FEW = 12;
 
 inline std::int32_t ToBits(float value)
@@ -375,7 +376,7 @@ inline float FromBits(std::int32_t bits)
   return value;
 }
 
-/// Starts, values and slopes of the extinction of all pieces.
+/// Starts of all pieces, and the values and slopes of their extinction.
 struct PieceArrays
 {
   const float* Starts;
@@ -383,9 +384,9 @@ struct PieceArrays
   const float* Slopes;
 };
 
-// For one end of all segments, finds the piece, replaces the scalar by its offset in the piece, and
-// computes the extinction. With Number pieces (up to 4), comparing with each start and selecting by
-// masks is faster than searches and lookups.
+// For one end of each segment, finds the piece, replaces the scalar with its offset from the start
+// of the piece, and computes the extinction. Number is at most 4, so comparing the scalar with the
+// start of each piece and selecting with masks is faster than a search and lookups.
 template <int Number>
 inline void LookUpEach(
   float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
@@ -411,7 +412,7 @@ inline void LookUpEach(
     std::int32_t slope = slopeBits[0];
     for (int piece = 1; piece < Number; ++piece)
     {
-      // Select by integer masks. For float selections, compilers create branches and do not
+      // Select with integer masks. If floats were selected, compilers would create branches and not
       // vectorize the loop.
       const std::int32_t isPast = -static_cast<std::int32_t>(scalar >= starts[piece]);
       index -= isPast;
@@ -610,8 +611,8 @@ namespace
 {
 using Results = FragmentIntegration::Results;
 
-// Integrates segment i from control point to control point. Its front end is in the piece `piece`,
-// its back end in the piece `end`.
+// Integrates segment i piece by piece. Its front end is in the piece `piece`, its back end in the
+// piece `end`.
 void IntegrateSplit(interlume::Fragments& f, int i, int piece, int end,
   const PiecewiseLinearTransfer& pieces, bool hasDeltaT, Results results,
   interlume::Fragments::Color& color)
@@ -626,7 +627,7 @@ void IntegrateSplit(interlume::Fragments& f, int i, int piece, int end,
   float value = first;
   while (true)
   {
-    // This part ends at the end of the piece or of the segment.
+    // The current part ends where the piece or the segment ends.
     const bool isLast = piece == end;
     const float bound = starts[step > 0 ? piece + 1 : piece];
     const float to = isLast ? 1.0f : std::min((bound - first) / (last - first), 1.0f);
@@ -663,7 +664,7 @@ void IntegrateSplit(interlume::Fragments& f, int i, int piece, int end,
   f.Total[i] = results == FragmentIntegration::OPACITY ? OpacityOf(depth) : depth;
 }
 
-// Averages the colors at both ends, which are in different pieces.
+// Computes the weighted sum of the colors at both ends, which are in different pieces.
 void AverageSplit(const interlume::Fragments& f, int i, int piece, int end,
   const PiecewiseLinearTransfer& pieces, interlume::Fragments::Color& color)
 {

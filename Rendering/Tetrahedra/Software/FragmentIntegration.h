@@ -61,7 +61,7 @@ public:
 
   /**
    * Computes weights and totals, by exact integration of linear color and extinction if \a isExact,
-   * otherwise from the means of both ends.
+   * otherwise from the means of the values at both ends.
    */
   static void Integrate(
     interlume::Fragments& fragments, bool hasDeltaT, bool isExact, Results results);

@@ -12,8 +12,8 @@ namespace interlume
  * @brief   the segments of a tetrahedron in a row of pixels
  *
  * See TetrahedronSilhouette: a value on the base side is affine, except for a bend at the crease.
- * The value on the other side is the sum of this value and lambda (the minimum of the edge
- * functions) times the difference.
+ * The value on the other side is this value plus lambda (the minimum of the edge functions) times
+ * the difference between both sides at the thick point.
  */
 struct FragmentRow
 {
@@ -21,11 +21,11 @@ struct FragmentRow
   static constexpr int CHANNELS = 7;
 
   float Thickness;
-  /// For each pixel, the length of a view ray per unit of depth in parallel projection, and per
-  /// unit along the view axis in perspective. Fragments::GROUP values past the end of the row must
-  /// be readable.
+  /// For each pixel, the length of a view ray segment per unit of depth in parallel projection, or
+  /// per unit along the view axis in perspective. Fragments::GROUP elements past the end of the row
+  /// must be readable.
   const float* Slants;
-  /// Values at the first pixel, and their change per pixel.
+  /// Values at the first pixel of the row, and their slopes per pixel.
   float EdgeValues[4];
   float EdgeSlopes[4];
   float Crease;
@@ -34,13 +34,13 @@ struct FragmentRow
   float Slopes[CHANNELS];
   float Bends[CHANNELS];
   float Differences[CHANNELS];
-  /// Output arrays of the channels.
+  /// Output arrays of the channels, for the base side and for the other side.
   float* Base[CHANNELS];
   float* Other[CHANNELS];
 
   /**
    * Appends the lengths and the first \a channels channels of \a size segments to \a fragments. The
-   * caller updates the counts.
+   * caller updates Size and Runs.
    */
   void Write(Fragments& fragments, int channels, int size) const;
 

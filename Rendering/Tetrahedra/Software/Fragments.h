@@ -16,18 +16,18 @@ namespace interlume
 struct Fragments
 {
   static constexpr int CAPACITY = 512;
-  /// Rows are written in groups of this size. The last group may extend past the row.
+  /// Segments of a row are written in groups of this size. The last group may extend past the row.
   static constexpr int GROUP = 8;
   template <typename T>
   using Array = std::array<T, CAPACITY + GROUP>;
   using Values = Array<float>;
   using Color = std::array<float, 4>;
 
-  /// Segments of a tetrahedron in adjacent pixels.
+  /// The segments of a tetrahedron in adjacent pixels of a row.
   struct Run
   {
     std::uint32_t Tetrahedron;
-    /// Index of the first pixel in the tile.
+    /// Index of the run's first pixel within the tile.
     std::uint16_t Pixel;
     std::uint16_t Begin;
     std::uint16_t End;
@@ -36,21 +36,23 @@ struct Fragments
   int NumberOfRuns = 0;
   int Size = 0;
 
-  /// Length in units of the mesh; in perspective, only after FinishPerspective().
+  /// Length in units of mesh coordinates. In perspective, it is valid only after
+  /// FinishPerspective().
   Values Length;
   /// Depths of both ends.
   Values Depth[2];
-  /// Scalar, extent in time and extinction at both ends. In perspective, the first two are
-  /// multiplied by depth until FinishPerspective().
+  /// Scalar, extent in time and extinction at both ends. In perspective, scalar and extent in time
+  /// are multiplied by depth until FinishPerspective() is called.
   Values Scalar[2];
   Values DeltaT[2];
   Values Extinction[2];
-  /// Point colors at both ends.
+  /// Colors at both ends, interpolated from point colors.
   Array<Color> Colors[2];
-  /// Transfer function piece that contains each end. After the integration of a segment that
-  /// crosses a control point, its front piece is -1 - i, and its color is SplitColors[i].
+  /// Index of the transfer function piece that contains each end. If a segment crosses a control
+  /// point, FinishPieces() sets its entry in Pieces[0] to -1 - i, where SplitColors[i] is its
+  /// color.
   Array<std::int32_t> Pieces[2];
-  /// Segments that cross a control point, and their colors.
+  /// Indices of the segments that cross a control point, and the colors of these segments.
   Array<std::uint16_t> Split;
   Array<Color> SplitColors;
   int NumberOfSplits = 0;

@@ -17,7 +17,7 @@ namespace interlume
  * @brief   draws tetrahedra on the CPU
  *
  * The image is divided into tiles. Each tile is drawn by one thread, from front to back:
- * silhouettes are rasterized to view ray segments (Fragments), which are integrated with SIMD
+ * silhouettes are rasterized into view ray segments (Fragments), which are integrated with SIMD
  * instructions and then blended sequentially. The result does not depend on the number of threads.
  */
 class SoftwareRasterizer
@@ -26,11 +26,11 @@ public:
   /// Draws an image. Returns false if \a isAborted returned true.
   bool Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted);
 
-  /// Returns RGBA in rows from the bottom, premultiplied by opacity, or sums if the frame requests
-  /// them. Empty with SELECTION.
+  /// Returns RGBA values, row by row from the bottom: premultiplied by opacity, or sums or maxima
+  /// if TetrahedraFrame::IsSum is true. Empty with SELECTION.
   const std::vector<float>& GetColors() const { return this->Colors; }
-  /// Return the index of the closest tetrahedron at each pixel plus 1, or 0 if there is none, and
-  /// its depth. Empty except with SELECTION.
+  /// Return for each pixel 1 plus the index of the closest tetrahedron, or 0 if there is none, and
+  /// the depth of this tetrahedron. Empty except with SELECTION.
   const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
   const std::vector<float>& GetDepths() const { return this->Depths; }
 

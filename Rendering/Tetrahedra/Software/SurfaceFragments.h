@@ -32,7 +32,7 @@ public:
   /**
    * Computes colors, premultiplied by opacity, at both ends of all segments, with opacity 0 where
    * there is no triangle. \a left and \a bottom are the tile's position in pixels. \a opaque is the
-   * opaque depth of each pixel, or null.
+   * depth of the opaque surface at each pixel, or null.
    */
   void Compute(const Fragments& fragments, int left, int bottom, const float* opaque);
 
@@ -45,8 +45,8 @@ private:
   static constexpr int CHANNELS = 6;
 
   void SetTetrahedron(std::uint32_t tetrahedron);
-  /// Finds the edge whose function is smallest at a pixel, and returns this minimum, lambda (see
-  /// TetrahedronSilhouette).
+  /// Finds the edge whose function is smallest at a pixel, and returns the value of this function:
+  /// lambda (see TetrahedronSilhouette), clamped to [0, 1].
   double Locate(double x, double y, int& edge) const;
 
   const TetrahedraFrame& Frame;

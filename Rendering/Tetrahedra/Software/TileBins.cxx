@@ -86,8 +86,8 @@ void TileBins::Fill(const TetrahedraFrame& frame)
   const std::size_t number = order ? order->size() : all;
   const std::size_t chunks = (number + CHUNK - 1) / CHUNK;
   const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
-  // counts[chunk][tile] is first the number of tetrahedra in the chunk and tile, and later their
-  // start in the tile's list.
+  // counts[chunk * tiles + tile] is first the number of the chunk's tetrahedra in the tile, and
+  // later the position in Lists of the next one.
   std::vector<std::size_t> counts(chunks * tiles, 0);
   std::vector<vtkIdType> drawn(chunks, 0);
   const auto visit = [&](std::size_t chunk, auto&& action)

@@ -20,7 +20,7 @@ namespace
 using Pixel = TileRasterizer::Pixel;
 using Blends = TetrahedraFrame::Blends;
 
-/// A pixel with this opacity hides everything behind it.
+/// A pixel with at least this opacity hides everything behind it.
 constexpr float OPAQUE_ENOUGH = 1.0f - 1e-5f;
 /// Number of flushes after which to test again whether the tile is opaque.
 constexpr int CHECK_INTERVAL = 16;
@@ -31,8 +31,8 @@ struct Span
   int End;
 };
 
-/// If edge functions or the crease have larger slopes per pixel, single precision along a row
-/// cannot resolve where they cross 0 and 1.
+/// If edge functions or the crease have a slope per pixel larger than this, single precision along
+/// a row cannot resolve where they cross 0 and 1.
 constexpr double STEEP = 100.0;
 
 bool IsSteep(const TetrahedronSilhouette& shape)
@@ -45,8 +45,8 @@ bool IsSteep(const TetrahedronSilhouette& shape)
   return steepest > STEEP;
 }
 
-// Returns true if a steep edge function or a steep crease has a value close to the range from 0 to
-// 1 at a pixel center of a row. (dx, dy) is the row's start relative to the thick point.
+// Returns true if a steep edge function or a steep crease has a value in or near [0, 1] at a pixel
+// center of a row. (dx, dy) is the row's start relative to the thick point.
 bool HasSteepPixel(const TetrahedronSilhouette& shape, double dx, double dy, int size)
 {
   const auto isPassed = [&](const TetrahedronSilhouette::Slope& slope, double atThick)

@@ -36,10 +36,10 @@ public:
   int GetBottom() const { return this->Bottom; }
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  /// Returns the color premultiplied by opacity, after Draw().
+  /// Returns a pixel of the tile. Call it after Draw().
   const Pixel& GetPixel(int x, int y) const { return this->Pixels[y * SIZE + x]; }
-  /// Return the index of the closest tetrahedron at a pixel plus 1, or 0 if there is none, and its
-  /// depth. Call them after Draw() with SELECTION.
+  /// Return 1 plus the index of the closest tetrahedron at a pixel, or 0 if there is none, and the
+  /// depth of this tetrahedron. Call them after Draw() with SELECTION.
   std::uint32_t GetTetrahedron(int x, int y) const { return this->Nearest[y * SIZE + x]; }
   float GetDepth(int x, int y) const { return this->NearestDepth[y * SIZE + x]; }
 
@@ -47,8 +47,8 @@ private:
   using Projected = TetrahedraView::Projected;
 
   void Begin(int tile);
-  /// Draw the tetrahedra of a tile. Each template parameter is true if the fields have this kind of
-  /// value.
+  /// Draw the tetrahedra of a tile. Each template parameter is true if the fields contain this kind
+  /// of value.
   template <bool Scalars, bool Colors, bool DeltaT>
   void DrawTetrahedra(int tile);
   template <bool Scalars, bool Colors, bool DeltaT>

@@ -39,9 +39,9 @@ FrameProjection::FrameProjection(const ViewRays& rays)
 
 FrameProjection::Range FrameProjection::FindRange(double minimum, double maximum, int pixels)
 {
-  // The margin exceeds the error of projection; the later test of each pixel is exact up to
-  // rounding. Clamp before the conversion, because a point near the camera plane projects outside
-  // the range of int.
+  // The margin exceeds the projection error, so no pixel is missed; each pixel of the range is
+  // tested exactly later. Clamp before converting to int, because a point near the camera plane
+  // projects outside the range of int.
   constexpr double margin = 1e-3;
   const double first = std::ceil((minimum + 1.0) * 0.5 * pixels - 0.5 - margin);
   const double last = std::floor((maximum + 1.0) * 0.5 * pixels - 0.5 + margin);

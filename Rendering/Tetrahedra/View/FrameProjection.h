@@ -13,16 +13,16 @@ namespace interlume
  * @brief   projects mesh coordinates to image coordinates and pixels
  *
  * Image coordinates are (x, y, d). d is the depth in units of the length of the view direction. x
- * and y are -1 at the left and lower edge and 1 at the right and upper edge, multiplied by d in
- * perspective. The view ray of a pixel at (x, y) is (x, y, 1) d in perspective and (x, y, d) in
- * parallel projection.
+ * and y are -1 at the left and lower edges of the image and 1 at the right and upper edges,
+ * multiplied by d in perspective. The view ray of a pixel at (x, y) is (x, y, 1) d in perspective
+ * and (x, y, d) in parallel projection.
  */
 class FrameProjection
 {
 public:
   explicit FrameProjection(const ViewRays& rays);
 
-  /// Returns true if there are pixels and the three axes are not coplanar.
+  /// Returns true if the image has pixels and the three axes of the ViewRays are not coplanar.
   bool IsValid() const { return this->Valid; }
   bool IsParallel() const { return this->Parallel; }
   /// Returns true if triangles that are counterclockwise in mesh coordinates appear clockwise.
@@ -39,8 +39,8 @@ public:
   ///@{
   /**
    * Return the center of a column or row of pixels, shifted by about 1e-8 pixels, by different
-   * amounts in x and y. Edges and corners of regular grids often pass exactly through pixel
-   * centers. Rounding would then assign the pixel to either side.
+   * amounts in x and y. Otherwise pixel centers would often be exactly on edges or corners of a
+   * regular grid, and rounding would decide on which side they are.
    */
   double GetX(int i) const { return (2 * i + 1 + 2.0e-8) * this->PixelWidth - 1.0; }
   double GetY(int j) const { return (2 * j + 1 + 1.2e-8) * this->PixelHeight - 1.0; }

@@ -14,8 +14,9 @@ namespace interlume
  * @class   SilhouetteRows
  * @brief   rasterizes a silhouette row by row
  *
- * A pixel is inside if its center is inside. A center on an edge belongs to the right or upper
- * tetrahedron. Neighbors compute the same intersection of row and edge.
+ * A pixel is inside the silhouette if its center is. A center on the shared edge of two silhouettes
+ * belongs to the right or upper one. Both silhouettes compute the same intersections of rows with
+ * the edge, so no pixel is drawn twice or missed.
  */
 class SilhouetteRows
 {
@@ -27,7 +28,7 @@ public:
     {
       const auto* a = &shape.GetPoint(i);
       const auto* b = &shape.GetPoint((i + 1) % this->Size);
-      // Start at the lower end, so that neighbors round in the same way.
+      // Start at the lower end, so that neighboring silhouettes round in the same way.
       if (b->Y < a->Y || (b->Y == a->Y && b->X < a->X))
       {
         std::swap(a, b);
@@ -38,16 +39,16 @@ public:
     }
   }
 
-  /// Return the first row and the row after the last, relative to \a bottom. Both are clamped to 0
-  /// or more, and the latter to at most \a height.
+  /// Return the first row and the row after the last, relative to \a bottom. Both are at least 0,
+  /// and the latter is at most \a height.
   int GetBegin(int bottom) const
   {
     return GetCeiling(this->Low - 0.5 - bottom, std::numeric_limits<int>::max());
   }
   int GetEnd(int bottom, int height) const { return GetCeiling(this->High - 0.5 - bottom, height); }
 
-  /// Computes the first pixel and the pixel after the last in the row with center \a y, relative to
-  /// \a left, clamped to the range from 0 to \a width.
+  /// Computes the first pixel and the pixel after the last in the row whose center is at \a y,
+  /// relative to \a left, clamped to the range from 0 to \a width.
   void GetSpan(double y, int left, int width, int& begin, int& end) const
   {
     double first = std::numeric_limits<double>::max();

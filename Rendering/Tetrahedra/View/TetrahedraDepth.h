@@ -27,21 +27,21 @@ public:
 
   ///@{
   /**
-   * Set/Get the depth buffer of the viewport, 0 to 1 (far plane).
+   * Set/Get the viewport's depth buffer. Values are in [0, 1], and 1 is the far plane.
    */
   const std::vector<float>& GetBuffer() const { return this->Buffer; }
   void SetBuffer(const std::vector<float>& depths, const std::array<int, 2>& size);
   ///@}
 
   /**
-   * Converts the depth of every \a stride-th pixel to a depth as defined by TetrahedraView. Pixels
-   * without a surface get the depth of the far plane if \a isCutByFarPlane, otherwise a depth that
-   * cuts nothing.
+   * Converts the depth buffer value of every \a stride-th pixel in x and y to a depth as defined by
+   * TetrahedraView. A pixel without a surface gets the depth of the far plane if \a
+   * isCutByFarPlane, otherwise the lowest float, so that tetrahedra are not cut there.
    */
   void Resample(const TetrahedraView& view, int stride, bool isCutByFarPlane);
 
-  /// Returns the depth at which tetrahedra are cut, as defined by TetrahedraView, for each pixel;
-  /// empty if nothing is cut.
+  /// Returns, for each pixel, the depth as defined by TetrahedraView beyond which tetrahedra are
+  /// cut off; empty if nothing is cut off.
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
 private:

@@ -16,20 +16,21 @@ namespace interlume
 
 namespace
 {
-/// View rays are offset from pixel centers by this many pixels. In regular views of regular meshes,
-/// edges and faces pass exactly through pixel centers, and rounding would choose one of the
-/// neighbors. Smaller offsets allow thinner meshes that are seen edge-on.
+/// View rays are offset from pixel centers by this many pixels. Otherwise, in axis-aligned views of
+/// regular meshes, edges and faces would pass exactly through pixel centers, and rounding errors
+/// would decide which adjacent cell a view ray hits. The smaller the offset, the thinner a mesh
+/// seen edge-on may be.
 constexpr double PIXEL_OFFSET_X = 2.3e-9;
 constexpr double PIXEL_OFFSET_Y = 3.7e-9;
 
-// Returns the transposed matrix. Its columns are the matrix rows.
+// Returns the transposed matrix, whose columns are the rows of \a matrix.
 glm::dmat4 GetRows(vtkMatrix4x4* matrix)
 {
   return glm::make_mat4(matrix->GetData());
 }
 
-// Returns the rows of the product of the camera's matrix, from world to clip coordinates, and the
-// matrix with the rows \a toWorld.
+// Returns the rows of the matrix to clip coordinates. It is the product of the camera's matrix from
+// world to clip coordinates and the matrix to world coordinates whose rows are \a toWorld.
 glm::dmat4 GetClipRows(vtkRenderer* renderer, const glm::dmat4& toWorld)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -43,10 +44,10 @@ glm::dvec4 Normalized(const glm::dvec4& plane)
 }
 }
 
-/// The right-handed axes of eye coordinates in the world, from an RQ decomposition of the clip
-/// matrix. Clip coordinates (X, Y, Z, w) depend on eye coordinates (x, y, z) as follows: X = ScaleX
-/// x + SkewX y + ShiftX z, Y = ScaleY y + ShiftY z. -Depth z equals w in perspective and Z in
-/// parallel projection.
+/// The right-handed axes of eye coordinates, in world coordinates, from an RQ decomposition of the
+/// clip matrix. Clip coordinates (X, Y, Z, w) depend on eye coordinates (x, y, z) as follows: X =
+/// ScaleX x + SkewX y + ShiftX z and Y = ScaleY y + ShiftY z. In perspective, w = -Depth z; in
+/// parallel projection, Z = -Depth z.
 struct TetrahedraView::Axes
 {
   Axes(const glm::dmat4& clip, int deepRow)
@@ -114,7 +115,7 @@ Error TetrahedraView::Set(
   this->Width = (width + stride - 1) / stride;
   this->Height = (height + stride - 1) / stride;
 
-  // Multiply matrices in double precision before transforming any coordinate.
+  // Multiply the matrices in double precision first, and then transform points with the product.
   vtkNew<vtkMatrix4x4> volumeMatrix;
   volume->GetMatrix(volumeMatrix);
   vtkNew<vtkMatrix4x4> meshMatrix;

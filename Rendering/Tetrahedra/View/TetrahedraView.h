@@ -24,13 +24,15 @@ namespace interlume
  * @brief   projects mesh coordinates to pixels and depths
  *
  * Depth d is 1/z in perspective and -z in parallel projection, where z is the distance along the
- * view axis. Larger depths are closer. On every face of a tetrahedron d is then affine in pixel
- * coordinates. So is v d for an attribute v in perspective, and v itself in parallel projection.
- * Lengths are in units of GetUnit(), the world length of a unit of mesh coordinates.
+ * view axis. Larger depths are closer. On every face of a tetrahedron, d is then affine in pixel
+ * coordinates. For an attribute v, the product v d is affine in perspective, and v itself is affine
+ * in parallel projection. Lengths are in units of GetUnit(), the world length of one unit of mesh
+ * coordinates.
  *
- * The eye is the point where all view rays meet. Eye and axes are derived only from the matrix from
- * world to clip coordinates, because stereo, view shear, off-axis projection and the camera's user
- * transforms move the eye or scale view coordinates. Eye coordinates preserve world lengths.
+ * The eye is the point where all view rays meet. The eye and the axes of eye coordinates are
+ * derived only from the matrix from world to clip coordinates, because stereo, view shear, off-axis
+ * projection and the camera's user transforms move the eye or scale view coordinates. Eye
+ * coordinates preserve the shape of objects in the world.
  */
 class TetrahedraView
 {
@@ -50,18 +52,19 @@ public:
   Error Set(vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride);
 
   /**
-   * Returns the eye in volume coordinates, homogeneous with w >= 0. In parallel projection it is
-   * the point at infinity where the view rays originate.
+   * Returns the eye in homogeneous volume coordinates with w >= 0. In parallel projection it is the
+   * point at infinity where the view rays originate.
    */
   static std::array<double, 4> FindEye(vtkRenderer* renderer, vtkVolume* volume);
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   bool IsParallel() const { return this->Parallel; }
-  /// Returns the world length of a unit of mesh coordinates.
+  /// Returns the world length of one unit of mesh coordinates.
   double GetUnit() const { return this->Unit; }
 
-  /// Returns eye coordinates in units of GetUnit(); the view direction is -z.
+  /// Returns the eye coordinates of a point in mesh coordinates, in units of GetUnit(). The view
+  /// direction is -z.
   glm::dvec3 GetEyePoint(const double* point) const
   {
     glm::dvec3 eye;
@@ -110,14 +113,16 @@ public:
   /// axis.
   double GetSlant(double x, double y) const;
 
-  /// Returns coefficients c of the depth at a pixel: c[0] + c[1] * (depth buffer value, 0 to 1) +
-  /// c[2] * x + c[3] * y. The last two are 0 unless the camera's user transform tilts depths.
+  /// Returns the coefficients c that convert a depth buffer value b in [0, 1] at pixel position (x,
+  /// y) to the depth c[0] + c[1] b + c[2] x + c[3] y. c[2] and c[3] are 0 unless the camera's user
+  /// transform tilts depths.
   const glm::dvec4& GetDepthOfBuffer() const { return this->DepthOfBuffer; }
   double GetDepthOfBuffer(double x, double y, double value) const
   {
     return glm::dot(this->DepthOfBuffer, glm::dvec4(1.0, value, x, y));
   }
-  /// Returns the depth buffer value of a depth at a pixel, the inverse of GetDepthOfBuffer().
+  /// Converts a depth at a pixel position to a depth buffer value, the inverse of
+  /// GetDepthOfBuffer().
   double GetBufferOfDepth(double x, double y, double depth) const
   {
     return (depth - this->GetDepthOfBuffer(x, y, 0.0)) / this->DepthOfBuffer[1];
@@ -126,16 +131,18 @@ public:
   /// Returns the view rays of the pixels in mesh coordinates.
   ViewRays GetRays() const;
 
-  /// Returns the matrix from mesh to eye coordinates, as three rows of four.
+  /// Returns the matrix from mesh to eye coordinates, with three rows of four elements.
   const std::array<double, 12>& GetEyeFromMesh() const { return this->EyeFromMesh; }
-  /// Returns the matrix from mesh coordinates to pixel x, pixel y and eye z, as three rows of four.
-  /// Pixel x and y are not yet multiplied by depth or shifted by GetPixelOffset().
+  /// Returns the matrix from mesh coordinates to pixel x, pixel y and eye z, with three rows of
+  /// four elements. Pixel x and y are not yet multiplied by depth or shifted by GetPixelOffset().
   std::array<double, 12> GetPixelsFromMesh() const;
   glm::dvec2 GetPixelOffset() const { return { this->OffsetX, this->OffsetY }; }
-  /// Returns eye x and y of the point on a pixel's view ray where z is -1 in perspective and 0 in
-  /// parallel projection. Each has three coefficients, for the pixel's x, y and 1.
+  /// Returns coefficients for the eye coordinates x and y of the point on a pixel's view ray where
+  /// eye z is -1 in perspective and 0 in parallel projection. x and y are the dot products of their
+  /// coefficients with (pixel x, pixel y, 1).
   std::array<glm::dvec3, 2> GetEyeFromPixels() const;
-  /// Returns the change of eye x and y per unit of depth along a view ray, in parallel projection.
+  /// Returns the change of eye x and eye y per unit of depth along a view ray, in parallel
+  /// projection.
   glm::dvec2 GetTilt() const;
 
   bool operator==(const TetrahedraView& other) const;
@@ -143,9 +150,9 @@ public:
 
 private:
   struct Axes;
-  /// Sets the members that depend on the matrices \a world and \a mesh, which transform world and
-  /// mesh coordinates to clip coordinates and are stored by rows. Returns an error if a matrix is
-  /// singular or not finite.
+  /// Sets the members that depend on the camera. The matrices \a world and \a mesh transform world
+  /// and mesh coordinates to clip coordinates; world[i] and mesh[i] are their rows. Returns an
+  /// error if a matrix is singular or not finite.
   Error SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
     const std::array<double, 2>& halfSize);
 

@@ -13,24 +13,28 @@ namespace interlume
 
 /**
  * @class   TetrahedronSilhouette
- * @brief   the projection of a tetrahedron, with its front and back as functions of the pixel
+ * @brief   the projection of a tetrahedron, and its depth and attributes at any pixel
  *
  * The four projected corners p_k have one affine dependency, sum S_k p_k = 0 with sum S_k = 0,
  * where S_k is the signed area of the face opposite corner k. The convex hull of the corners with
  * positive S_k and the convex hull of the corners with negative S_k meet in one point, the thick
- * point (Radon's theorem). It is a corner inside a triangle, or the intersection of two edges. At
- * the thick point, the front and back sides of the tetrahedron differ by sum S_k v_k / P in any
- * affine value v, where P is the sum of the positive S_k. The difference decreases linearly to 0
- * toward each edge of the silhouette. Let lambda(x, y) be the minimum of one affine function for
- * each edge, which is 1 at the thick point and 0 on the edge. Then
+ * point (Radon's theorem). It is either a corner that projects into the opposite face, or the
+ * intersection of two projected edges. At the thick point, any value v that is affine in the
+ * tetrahedron differs by sum S_k v_k / P between the front side and the back side, where P is the
+ * sum of the positive S_k. The difference decreases linearly to 0 toward each edge of the
+ * silhouette. For each edge, take the affine function that is 1 at the thick point and 0 on the
+ * edge, and let lambda(x, y) be the minimum of these functions. Call one of the two sides the base
+ * side. Then
  *
  *   other side = base side + lambda * difference at the thick point
  *
  * for depth and all attributes, without case distinctions. Because the difference is computed
  * before anything is rounded, the relative error does not increase for thin tetrahedra.
  *
- * The base side is one triangle, or two triangles that meet at a crease, the edge between corners 0
- * and 2 of the silhouette. Past the crease, where h(x, y) > 0, the slope changes:
+ * If a corner projects into the opposite face, this face is the base side. Otherwise, the base side
+ * consists of two triangles that meet at the crease, the edge between corners 0 and 2 of the
+ * silhouette. Let h(x, y) be the affine function that is 0 on the crease and 1 at corner 3. The
+ * slope changes where h > 0:
  *
  *   base side = affine + bend * max(0, h(x, y))
  *
@@ -43,14 +47,14 @@ class TetrahedronSilhouette
 public:
   using Projected = TetrahedraView::Projected;
 
-  /// An affine function: X (x - thick x) + Y (y - thick y).
+  /// A linear function of the offset from the thick point: X (x - ThickX) + Y (y - ThickY).
   struct Slope
   {
     double X;
     double Y;
   };
-  /// A value on the base side, as its value at the thick point, its slope and its bend, and the
-  /// difference to the other side at the thick point.
+  /// A depth or attribute: its value at the thick point and its slope and bend, all on the base
+  /// side, and the difference to the other side at the thick point.
   struct Value
   {
     double At;
@@ -60,7 +64,8 @@ public:
   };
 
   /**
-   * Sets the corners, polygon, thick point and faces. Returns false if the projection has no area.
+   * Sets the corners, the polygon of the silhouette and the thick point. Returns false if the
+   * projection has no area.
    */
   bool Set(const Projected& p0, const Projected& p1, const Projected& p2, const Projected& p3)
   {
@@ -93,8 +98,8 @@ public:
   }
 
   /**
-   * Sets edges, crease and value coefficients. Call it after Set(), unless the tetrahedron covers
-   * no pixel center.
+   * Sets the slopes that GetEdge(), GetCrease() and GetValue() use. Call it after Set(), unless the
+   * tetrahedron covers no pixel center.
    */
   void SetSlopes()
   {
@@ -116,18 +121,20 @@ public:
     }
   }
 
-  /// Returns the number of corners and edges. Edge i joins corners i and i + 1.
+  /// Returns the number of edges, which is also the number of corners. Edge i joins corners i and i
+  /// + 1.
   int GetNumberOfEdges() const { return this->Size; }
   const Projected& GetPoint(int i) const { return *this->Points[this->Polygon[i]]; }
-  /// Returns the slope of an edge: lambda is 1 plus the minimum over all edges. The slope is 0 for
-  /// edges that never determine the minimum, and for edge 3 of a triangle.
+  /// Returns the slope of an edge. lambda is 1 plus the minimum of the linear functions with the
+  /// slopes of all edges. Edges that never determine the minimum have slope 0, and so does the
+  /// unused edge 3 of a triangle.
   const Slope& GetEdge(int i) const { return this->Edges[i]; }
   /// Returns the slope of h; 0 if there is no crease.
   const Slope& GetCrease() const { return this->Crease; }
   double GetThickX() const { return this->ThickX; }
   double GetThickY() const { return this->ThickY; }
 
-  /// Returns the functions that interpolate the values \a v at the four corners, on both sides.
+  /// Returns the depth or attribute with the values \a v at the four corners.
   Value GetValue(const std::array<double, 4>& v) const
   {
     Value value;
@@ -152,7 +159,7 @@ public:
     value.Base = this->GetSlope(v[b] - v[a], v[c] - v[a]);
     if (this->HasBend)
     {
-      // h is 1 at corner d.
+      // h is 1 at corner d, so the bend is the error of the affine function at this corner.
       const Projected& across = *this->Points[d];
       value.Bend = v[d] - value.At - value.Base.X * (across.X - this->ThickX) -
         value.Base.Y * (across.Y - this->ThickY);
@@ -161,11 +168,11 @@ public:
   }
 
   ///@{
-  /// Return the face that a view ray crosses on the base side and on the other side, next to edge
-  /// \a i, as the number of the opposite corner.
+  /// Return the face that a view ray next to edge \a i crosses on the base side and on the other
+  /// side. A face has the index of the opposite corner.
   int GetBaseFace(int i) const
   {
-    // Edges 0 and 1 belong to the first triangle.
+    // Edges 0 and 1 belong to the first triangle of the base side.
     return this->Size == 3 ? this->Inner : this->Polygon[i < 2 ? 3 : 1];
   }
   int GetOtherFace(int i) const
@@ -188,7 +195,7 @@ private:
     return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X);
   }
 
-  // Handles a corner that projects into the triangle of the other three.
+  // Handles a corner that projects into the triangle of the other three corners.
   void SetInner(bool innerIsPositive)
   {
     this->Size = 3;
@@ -282,7 +289,7 @@ private:
 
   void SetEdge(int i, double atThick, double inside)
   {
-    // Ignore the edge if the thick point is on it: their triangle has no area.
+    // Ignore the edge if the thick point is on it.
     if (atThick * inside <= 0.0 || std::abs(atThick) < 1e-12 * this->Sum)
     {
       this->Edges[i] = { 0.0, 0.0 };
@@ -294,7 +301,7 @@ private:
     this->Edges[i] = { (a.Y - b.Y) * inverse, (b.X - a.X) * inverse };
   }
 
-  // Returns the slope of a value, given its increments from corner 0 to corners 1 and 2 of the
+  // Returns the slope of a value, given its differences from corner 0 to corners 1 and 2 of the
   // first triangle.
   Slope GetSlope(double toFirst, double toSecond) const
   {
@@ -306,8 +313,8 @@ private:
   std::array<double, 4> Areas;
   double Sum = 0.0;
   double InverseSum = 0.0;
-  // Slopes of the functions that are 1 at corner 1 or 2 of the first triangle and 0 at the other
-  // corners.
+  // Slopes of the affine functions that are 1 at corner 1 (First) or corner 2 (Second) of the first
+  // triangle and 0 at its other corners.
   Slope First;
   Slope Second;
   double Sign = 1.0;

@@ -17,22 +17,22 @@ namespace interlume
  *   x = Center[0] + (2 (i + 1/2) / Width - 1) HalfSize[0],
  *   y = Center[1] + (2 (j + 1/2) / Height - 1) HalfSize[1].
  *
- * With Eye and Direction of Viewpoint, its view ray is Eye + t (Direction + x Right + y Up), t > 0,
- * in perspective and Eye + x Right + y Up + t Direction, for any t, in parallel projection. Right
- * and Up need not be perpendicular or of unit length, as after a transformation of the mesh. The
- * three axes must not be coplanar.
+ * In perspective, its view ray is Eye + t (Direction + x Right + y Up) for t > 0. In parallel
+ * projection, its view ray is Eye + x Right + y Up + t Direction for any t. Eye and Direction are
+ * members of Viewpoint. Right and Up need not be perpendicular or of unit length, because a
+ * transformation of the mesh may distort them. Direction, Right and Up must not be coplanar.
  */
 struct ViewRays
 {
   interlume::Viewpoint Viewpoint;
   glm::dvec3 Right{ 1.0, 0.0, 0.0 };
   glm::dvec3 Up{ 0.0, 1.0, 0.0 };
-  /// Half the image's width and height: tangents of half the view angles in perspective, lengths in
-  /// parallel projection.
+  /// Half the image's width and height. They are tangents of half the view angles in perspective,
+  /// and lengths in parallel projection.
   std::array<double, 2> HalfSize{ { 1.0, 1.0 } };
-  /// The image center, in the same units. It is not 0 for shifted windows and tiles.
+  /// The image center, in the units of HalfSize. It is not 0 for shifted windows and tiles.
   std::array<double, 2> Center{ { 0.0, 0.0 } };
-  /// Number of pixels; 0 for a view without an image.
+  /// The image size in pixels; 0 for a view without an image.
   int Width = 0;
   int Height = 0;
 };

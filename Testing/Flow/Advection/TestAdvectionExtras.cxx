@@ -78,7 +78,7 @@ void TestSaddle(Check& check)
   const Flow flow = WithArrays(Flow::Linear({ 1, 0, 0, 0, -1, 0, 0, 0, 0 }));
   KeepingOptions options = ExtraOptions();
   options.MaximumTime = 2.0;
-  // The exact path, integrated by Simpson's rule.
+  // The exact arc length, computed by Simpson's rule.
   const Position start = { 0.3, 2.0, 0.1 };
   double length = 0.0;
   constexpr int pieces = 20000;

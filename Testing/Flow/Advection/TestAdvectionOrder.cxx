@@ -130,8 +130,8 @@ std::vector<Scene> MakeScenes()
   return scenes;
 }
 
-/// Convergence of a single step: the error at its end, the error of the dense output, and the error
-/// estimate.
+/// Tests how three errors of a single step converge: the error at its end, the error of the dense
+/// output, and the error estimate.
 template <typename Method>
 void TestStep(Check& check, const char* name, double endOrder, double denseOrder)
 {
@@ -232,7 +232,7 @@ void TestSlopes(Check& check)
   }
 }
 
-/// The kinks of trilinear interpolation at cell faces do not reduce the order.
+/// The kinks of trilinear interpolation at cell faces do not reduce the order of convergence.
 void TestKinks(Check& check)
 {
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
@@ -276,8 +276,8 @@ void TestKinks(Check& check)
   }
 }
 
-/// Streamlines of 2,000 samples that reach a surface, in a single cell and in many cells. 99.9 % of
-/// the errors are within ten times the tolerance.
+/// Traces 2,000 streamlines to surfaces, in a single cell and in many cells. At least 99.9 % of
+/// their errors are within ten times the tolerance.
 void TestTolerance(Check& check)
 {
   struct Case

@@ -23,7 +23,7 @@ namespace
 
 using namespace reference;
 
-/// Cells of width 1 in [-4, 4].
+/// Returns cells of width 1 in [-4, 4]^3.
 BoxGrid MakeGrid()
 {
   BoxGrid grid;
@@ -51,13 +51,14 @@ void TestClosed(Check& check)
       check.That(NumberOfSteps(result) < options.MaximumNumberOfSteps / 4, Describe(result));
       options.SetBackward(!options.IsBackward());
     }
-    // The distance to the surface is within the uncertainty of the orbit.
+    // The distance to the surface is within the uncertainty of the orbit, so the orbit does not
+    // count as closed.
     const auto near = Advect(walker, options, { 2.0, 0.1, 1.999999 });
     check.Equal(near.Status, vtkFlowStatus::OUT_OF_STEPS, Describe(near));
   }
 }
 
-/// Spirals in the flow (rate (-y - a x), rate (x - a y), b z), started at (r, 0, z).
+/// Tests spirals in the flow (-y - inward x, x - inward y, along z) that start at (radius, 0, z).
 void TestSpirals(Check& check)
 {
   const BoxGrid grid = MakeGrid();
@@ -107,7 +108,7 @@ void TestSpirals(Check& check)
   check.That(late > 5, "some streamlines take many steps: " + std::to_string(late));
 }
 
-/// A repelling orbit: dr/dt = rate (r - 2).
+/// Tests streamlines near a repelling orbit, where dr/dt = rate (r - 2) with r = hypot(x, y).
 void TestRepelled(Check& check)
 {
   const BoxGrid grid = MakeGrid();

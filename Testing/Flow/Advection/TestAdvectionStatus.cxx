@@ -53,7 +53,7 @@ void TestLeaving(Check& check)
   left = Advect(BoxWalker(flow, grid), options, { 0.5, 0.5, 0.5 });
   check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a face of a hole is not a domain face");
   check.Near(left.Time, 1.5, 1e-14, "time until the hole");
-  // A sample on the boundary, with outward, inward and tangential flow.
+  // Samples on the boundary, with outward, inward and tangential flow.
   grid = Cubes(4);
   const BoxWalker walker(flow, grid);
   left = Advect(walker, options, { 4, 1.25, 0.5 });
@@ -72,7 +72,7 @@ void TestLeaving(Check& check)
   }
 }
 
-/// Streamlines through edges and corners, along faces, and around an edge.
+/// Tests streamlines through edges and corners, along faces, and around an edge.
 void TestEdges(Check& check)
 {
   BoxGrid grid = Cubes(8);
@@ -108,7 +108,7 @@ void TestEdges(Check& check)
   result = Advect(BoxWalker(diagonal, grid), options, { 0.5, 0.5, 0.5 });
   check.That(result.Status == vtkFlowStatus::LEFT_DOMAIN && std::abs(result.Time - 7.5) < 1e-13,
     "around an edge, through the cells on the other side: " + Describe(result));
-  // Closed orbits around an edge and a corner, and through face centers.
+  // Closed orbits of several radii, around a grid point and around a point on a grid edge.
   grid.IsCell = nullptr;
   const Flow rotation = Flow::Linear({ 0, -1, 0, 1, 0, 0, 0, 0, 0 }, { 4, 4, 4 });
   options.MaximumError = 1e-9;
@@ -220,7 +220,8 @@ void TestNotFinite(Check& check)
   result = Advect(BoxWalker(flow, grid), options, { 2.5, 0.5, 0.5 });
   check.That(
     result.Status == vtkFlowStatus::NOT_FINITE && result.Time == 0.0, "a sample in the cell");
-  // The velocity is NaN for x > 2, inside a cell, or becomes infinite there.
+  // The velocity is NaN for x >= 2 (wall), or becomes infinite at x = 2 (pole). There is no cell
+  // face at x = 2.
   Flow wall = flow;
   wall.Velocity = [](const double* x, double* v)
   {
@@ -252,7 +253,7 @@ void TestNotFinite(Check& check)
   }
 }
 
-/// Unit tests of root finding: polynomials in Bernstein form, and functions.
+/// Tests root finding for polynomials in Bernstein form and for other functions.
 void TestRoots(Check& check)
 {
   const auto product = [](const std::vector<double>& roots, double factor)
@@ -347,7 +348,7 @@ void TestHarmlessSteps(Check& check)
     interlume::StiffnessTest separate;
     while (!separate.IsStiff())
     {
-      // Added in two parts, as if a cell boundary were between them.
+      // Add the harmless steps in two parts, as if they were in two cells.
       const int harmless = static_cast<int>(random() % 8);
       const int first = static_cast<int>(random() % (harmless + 1));
       together.AddHarmless(first);

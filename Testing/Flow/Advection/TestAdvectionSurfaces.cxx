@@ -86,7 +86,7 @@ void TestExact(Check& check)
       Expect(check, result, { 10, uv[0], uv[1], t }, 1e-13, "uniform to a sphere");
     }
 
-    // Less than a quarter of a rotation backward, to a plane through the axis of rotation.
+    // Trace backward by less than a quarter of a rotation, to a plane through the axis of rotation.
     options = ForwardOptions({ FormulaSurface::Plane({ 0.6, 0.8, 0 }, 0.0, 1, 2) });
     options.Integrator = integrator;
     options.SetBackward(true);
@@ -138,8 +138,7 @@ void TestStartOnSurface(Check& check)
       check.That(result.Position[1] == 0.7, "the sample is the end");
     }
   }
-  // A sample at a distance within rounding error is on the surface, a sample at a distance of 1e-6
-  // is not.
+  // A sample is on the surface if its distance is within rounding error. A distance of 1e-6 is not.
   const Surface sphere = FormulaSurface::Sphere({ 0.1, 0.2, 0.3 }, 0.7);
   const double s = 0.7 / std::sqrt(3.0);
   for (const auto& result :
@@ -153,7 +152,7 @@ void TestStartOnSurface(Check& check)
   {
     Expect(check, result, { 10, 0.25, 0.5, 1e-6 }, 1e-15, "start near a plane");
   }
-  // Outside the extent of the surface, the streamline continues to the next surface.
+  // A sample on the plane, but outside its extent, is traced to the next surface.
   plane->Extent = [](const double* x) { return x[0] > 1.0; };
   options = ForwardOptions({ plane, FormulaSurface::Plane({ 0, 1, 0 }, 2.7, 0, 2) });
   for (const auto& result : AdvectInAll(flow, options, { 0.25, 0.7, 0.5 }))
@@ -188,7 +187,8 @@ void TestTangents(Check& check)
     }
   }
   check.SetContext("");
-  // Rounding errors decide whether the surface is reached, but the result is repeatable.
+  // The streamline is tangent to the plane. Rounding errors decide whether it reaches the plane,
+  // but the result is repeatable.
   const auto once = advect(1.0);
   const auto again = advect(1.0);
   for (std::size_t i = 0; i < once.size(); ++i)
@@ -197,8 +197,8 @@ void TestTangents(Check& check)
   }
 }
 
-/// Spheres with radii down to 1e-4 in a uniform flow with growing steps: each intersection is
-/// found, without false intersections.
+/// Tests spheres with radii down to 1e-4 in a uniform flow, in which the step size grows. All
+/// intersections are found, and no false ones.
 void TestSmallSpheres(Check& check)
 {
   std::mt19937 random(3);
@@ -232,7 +232,7 @@ void TestSmallSpheres(Check& check)
     }
   }
   check.That(hits > 500 && hits < 800, "some spheres are hit and some are missed");
-  // A curved streamline with steps larger than the spheres.
+  // Trace a curved streamline with steps larger than the spheres.
   const Flow rotation = Flow::Rotation(1.0);
   for (int i = 0; i < 300; ++i)
   {
@@ -279,7 +279,7 @@ void TestExtents(Check& check)
   half->Extent = [](const double* x) { return x[0] < 0.0; };
   each(half, rotation, start, { 10, -1.0, 0.0, 1.0 + vtkMath::Pi() }, "the second root");
   // The streamline starts on the other side of the plane. Its first intersection is outside the
-  // extent, its second intersection is inside.
+  // extent, and its second intersection is inside.
   half->Extent = [](const double* x) { return x[0] > 0.99 && x[2] > -1.0; };
   each(half, rotation, { std::cos(1.0), std::sin(1.0), 0.0 },
     { 10, 1.0, 0.0, 2.0 * vtkMath::Pi() - 1.0 }, "after one rotation");
@@ -357,7 +357,7 @@ void TestBoundary(Check& check)
   Expect(check, advect(outside, true), { 501, 0.625, 0.5625, 1.0 }, 1e-14, "through a face");
   Expect(check, advect(FormulaSurface::Plane({ 1, 0, 0 }, 1.0, 1, 2), true),
     { 10, 0.25, 0.125, 1.0 }, 1e-12, "a surface in the domain boundary");
-  // A plane that rounding errors place slightly inside or outside the domain boundary.
+  // A plane within rounding error of the domain boundary, on either side.
   for (double tilt : { -1e-15, 1e-15 })
   {
     Expect(check, advect(FormulaSurface::Plane({ 1, 0, 0 }, 1.0 + tilt, 1, 2), false),

@@ -34,7 +34,7 @@ using namespace reference;
 constexpr int Cells = 4;
 constexpr int NumberOfSamples = 10000;
 
-/// Center of a linear flow with different rates along x, y and z. Cells interpolate it exactly.
+/// Center of a linear flow, which cells interpolate exactly. Its rates along x, y and z differ.
 const Vector Center = { { 1.9, 2.2, 2.05 } };
 const Vector Rates = { { 1.0, 0.7, -0.4 } };
 
@@ -48,14 +48,13 @@ Vector Diverge(const Vector& x)
   return v;
 }
 
-/// Side of the box through which a streamline leaves, with the time and position. The side is 2 *
-/// axis, plus 1 for the upper side.
+/// Where and when a streamline leaves the box. Side is 2 * axis, plus 1 for the upper side.
 struct Exit
 {
   int Side = -1;
   double Time = VTK_DOUBLE_MAX;
   Vector Position{};
-  /// Distance of the position from the other sides of the box.
+  /// Distance from the position to the nearest other side of the box.
   double Clearance = VTK_DOUBLE_MAX;
 };
 
@@ -162,7 +161,7 @@ vtkSmartPointer<vtkPolyData> MakeSamples(int number)
   return samples;
 }
 
-/// Six meshes, one per side of the boundary: all samples reach the expected mesh.
+/// Tests six meshes, one per side of the boundary. All samples reach the expected mesh.
 void TestBoundary(Check& check)
 {
   auto samples = MakeSamples(NumberOfSamples);
@@ -206,7 +205,7 @@ void TestBoundary(Check& check)
   check.SetContext("");
 }
 
-/// A mesh in single precision for a field in double precision, with and without the arrival
+/// Tests a mesh in single precision for a field in double precision, with and without the arrival
 /// tolerance.
 void TestRounding(Check& check)
 {
@@ -243,7 +242,7 @@ void TestRounding(Check& check)
   }
 }
 
-/// A plane on the inlet of a grid with single-precision points. Samples are inside and on the
+/// Tests a plane at the inlet of a grid with single-precision points. Some samples are on the
 /// inlet.
 void TestPlane(Check& check)
 {
@@ -276,7 +275,8 @@ void TestPlane(Check& check)
     {
       const auto i = id % (cells[0] + 1);
       const auto j = id / (cells[0] + 1) % (cells[1] + 1);
-      // Rounding errors decide whether the flow crosses the walls.
+      // At the side walls (j == 0 or j == cells[1]), rounding errors decide whether a backward
+      // streamline leaves the grid, so its status is not checked.
       const bool isReached =
         i == 0 || (direction == vtkImplicitFlowField::BACKWARD && j > 0 && j < cells[1]);
       if (isReached || direction == vtkImplicitFlowField::FORWARD)
@@ -316,8 +316,9 @@ void TestWall(Check& check)
     "number of surfaces reached without the tolerance");
 }
 
-/// A surface parallel to the streamline, surfaces past the end of the field, and surfaces whose
-/// boundary edge is near the end of the streamline. Only surfaces within the tolerance are reached.
+/// Tests a surface parallel to the streamline, surfaces past the end of the field, and surfaces
+/// whose boundary edge is near the end of the streamline. Only surfaces within the tolerance are
+/// reached.
 void TestMissed(Check& check)
 {
   auto image = MakeFlowImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fill values in the velocity: the automatic error and minimum speed ignore fill values at up to
-// half of the points, but no real values. Streamlines, line integral convolution, critical points,
-// vortex axes and inflow surfaces are the same as without fill values, except nearby. A warning
-// names the value, including NaN and infinity.
+// half of the points, but do not ignore real values. Streamlines, line integral convolution,
+// critical points, vortex axes and inflow surfaces are the same as without fill values, except
+// nearby. A warning names the value, including NaN and infinity.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -37,7 +37,8 @@ namespace
 
 using namespace reference;
 
-/// Checks the speed scale of \a number vectors, given as a function of the index.
+/// Checks the speed scale and the number of fill values of \a number vectors. \a vector returns the
+/// vector at an index.
 interlume::FillValues CheckVectors(const std::string& name, int number,
   const std::function<Vector(int)>& vector, double scale, int fillValues, Check& check)
 {
@@ -54,7 +55,7 @@ interlume::FillValues CheckVectors(const std::string& name, int number,
   return fill;
 }
 
-/// Checks the speed scale of vectors along x.
+/// Like CheckVectors(), for vectors along x with the given speeds.
 void CheckScale(const std::string& name, int number, const std::function<double(int)>& speed,
   double scale, int fillValues, Check& check)
 {
@@ -66,7 +67,7 @@ void CheckScale(const std::string& name, int number, const std::function<double(
     scale, fillValues, check);
 }
 
-/// Various fill values at a fraction of 5000 points. Speeds at other points are from 1 to 2.
+/// Tests various fill values at some of 5000 points. Speeds at the other points are in [1, 2].
 void TestRepeated(Check& check)
 {
   const auto land = [](int number, const Vector& value)
@@ -154,7 +155,6 @@ void TestScale(Check& check)
   CheckScale(
     "the smallest and the largest number", 500,
     [tiny, huge](int i) { return i == 0 ? huge : tiny; }, tiny, 1, check);
-  // Two fill values in one field.
   CheckScale(
     "two fill values", 5000, [](int i) { return i == 0 ? 1e36 : (i == 1 ? 1e20 : 2.0); }, 2.0, 2,
     check);
@@ -165,8 +165,8 @@ bool IsLand(const double* x)
   return x[1] > 3.0;
 }
 
-/// Sets all components to a fill value at 4 of 17 layers of points, called land. Returns the number
-/// of these points.
+/// Sets all vector components to a fill value at the points where IsLand() is true, 4 of 17 layers.
+/// Returns the number of these points.
 vtkIdType AddLand(vtkImageData* image, double value)
 {
   vtkDataArray* vectors = image->GetPointData()->GetVectors();
@@ -312,7 +312,7 @@ void TestNonFinite(Check& check)
 /// Land does not change convolution, critical points or vortex axes.
 void TestOtherFilters(Check& check)
 {
-  // A vortex around the line (1.3, 1.3) along z.
+  // A vortex around the line x = y = 1.3.
   const auto swirl = [](const Vector& x)
   {
     return Vector{ { 1.3 - x[1] - 0.1 * (x[0] - 1.3), x[0] - 1.3 - 0.1 * (x[1] - 1.3),
@@ -401,7 +401,7 @@ void TestField(Check& check)
   check.That(WarningsOf(flow.Filter).empty(), "no warning without automatic settings");
 }
 
-/// A fill value does not displace a surface that is positioned by the flow.
+/// Fill values do not displace an inflow surface, whose position depends on the flow.
 void TestInflow(Check& check)
 {
   auto image = MakeFlowImage(17,

@@ -59,8 +59,8 @@ vtkSmartPointer<vtkTerminationPlane> MakePlane(
   return plane;
 }
 
-/// The saddle (x, -y, 0). The separatrix y = 0 divides the streamlines between the planes y = 1 and
-/// y = -1.
+/// The saddle (x, -y, 0). Backward streamlines reach the plane y = 1 from one side of the
+/// separatrix y = 0, and the plane y = -1 from the other side.
 Vector Saddle(const Vector& x)
 {
   return { { x[0], -x[1], 0.0 } };
@@ -104,8 +104,8 @@ double GetVolume(vtkCell* cell)
   return sum;
 }
 
-/// Checks that inner faces have two cells, that no point lies at the midpoint of an edge, and that
-/// the total volume matches.
+/// Checks that cells have positive volumes and match at faces, so each interior face has two cells
+/// and each boundary face has one, and that the total volume is \a volume.
 void CheckMesh(vtkUnstructuredGrid* mesh, double volume, Check& check)
 {
   double bounds[6];
@@ -154,7 +154,7 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double volume, Check& check)
   check.Near(sum, volume, 1e-10, "volume");
 }
 
-/// Returns grids of every kind over [-1,1]^3 with the saddle.
+/// Returns grids of every kind over [-1,1]^3 with the velocity of the saddle.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeGrids()
 {
   std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
@@ -232,7 +232,7 @@ void TestGrids(Check& check)
       {
         double x[3];
         mesh->GetPoint(id, x);
-        // Streamlines end at one of the planes unless they leave the domain first.
+        // All streamlines reach one of the planes, except those on the separatrix.
         const auto status =
           static_cast<int>(mesh->GetPointData()->GetArray("FlowStatus")->GetComponent(id, 0));
         const double time = std::log(1.0 / std::abs(x[1]));
@@ -266,7 +266,8 @@ void TestGrids(Check& check)
   }
 }
 
-/// The volume omitted at a separatrix on which no sample lies at any level.
+/// Tests the volume that a flow volume omits at a separatrix. No sample lies on the separatrix at
+/// any level.
 void TestSeparatrix(Check& check)
 {
   constexpr double position = 0.0237;
@@ -308,7 +309,8 @@ void TestSeparatrix(Check& check)
   }
 }
 
-/// The sector of a disk in which advection takes less than 0.9 rotations.
+/// Tests the flow volume of a rotation: the sector of a disk from which streamlines reach the
+/// surface within 0.9 rotations.
 void TestRotation(Check& check)
 {
   check.SetContext("rotation");
@@ -372,7 +374,8 @@ void TestThreads(Check& check)
     check);
 }
 
-/// Tests samples on other datasets, pieces, and samples that are not refined.
+/// Tests refinement of samples on an image and on an input, refinement in pieces, and turning
+/// refinement off again.
 void TestSamples(Check& check)
 {
   check.SetContext("image of samples");
@@ -388,7 +391,7 @@ void TestSamples(Check& check)
          vtkImplicitFlowField::SAMPLES_OF_FIELD, vtkImplicitFlowField::SAMPLES_OF_INPUT })
   {
     field->SetSampleMode(mode);
-    // Four cells of width 1 along each axis, in pieces.
+    // The sample input has four cells of width 1 along each axis.
     vtkNew<vtkRTAnalyticSource> samples;
     samples->SetWholeExtent(-2, 2, -2, 2, -2, 2);
     field->SetSampleConnection(samples->GetOutputPort());
@@ -417,7 +420,7 @@ void TestSamples(Check& check)
   CheckPrinted(Print(field), { "RefinementLevels: 6" }, check);
 }
 
-/// Cell types that are not refined are unchanged. Other cells next to them are refined.
+/// Cells of types that cannot be refined are unchanged. Other cells next to them are refined.
 void TestOtherCells(Check& check)
 {
   for (const MeshKind kind : { MeshKind::Boxes, MeshKind::Honeycomb })
@@ -489,8 +492,7 @@ void TestOtherCells(Check& check)
   }
 }
 
-/// Hidden cells are not refined, but duplicate cells are. A new point has the ghost flags that all
-/// points of its cell have.
+/// Hidden cells are not refined. Duplicate cells are refined into duplicate cells.
 void TestGhosts(Check& check)
 {
   check.SetContext("ghosts");
@@ -520,7 +522,8 @@ void TestGhosts(Check& check)
     counts[1] += ghosts->GetValue(cell) == vtkDataSetAttributes::DUPLICATECELL ? 1 : 0;
   }
   check.Equal(counts[0], 1, "the hidden cell is not refined");
-  // The duplicate cell has six quadrilaterals, each split into eight triangles.
+  // Each of the six faces of the duplicate cell is split into eight triangles, and each triangle
+  // belongs to a different new cell.
   check.Equal(counts[1], 48, "cells that replace the duplicate cell");
 }
 

@@ -44,7 +44,7 @@ Vector Spiral(const Vector& x)
   return { { Growth * x[0] - x[1], x[0] + Growth * x[1], 0.0 } };
 }
 
-/// Computes the time at which a streamline leaves the polygon whose corners have radius 2.
+/// Computes the time at which a streamline leaves the polygon with corners at radius 2.
 double Trace(const Vector& start)
 {
   const double inner = 2.0 * std::cos(Pi / Around);
@@ -71,8 +71,9 @@ double Trace(const Vector& start)
   return from;
 }
 
-/// Returns the cells \a first to \a last of a ring. Angles are computed as in user code: the last
-/// angle is 2 pi, plus \a gap.
+/// Returns part of a ring: cells \a first to \a last - 1 around the axis. The points at its end are
+/// moved around the axis by the distance \a gap. In a full ring, their angle is computed as 2 pi,
+/// as in user code.
 vtkSmartPointer<vtkStructuredGrid> MakePart(int first, int last, double gap = 0.0)
 {
   auto part = MakeStructuredGrid({ { Outward, last - first, Along } });
@@ -121,8 +122,9 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFilter(vtkDataObject* field, int numbe
   return filter;
 }
 
-/// \a gap is the distance between the points of a seam. \a minimum and \a maximum bound the number
-/// of faces joined within the tolerance.
+/// Checks that streamlines cross all seams and reach the outer boundary at the known times. \a gap
+/// is the distance between the points of a seam. \a minimum and \a maximum bound the number of
+/// faces joined within the tolerance.
 void CheckClosed(const std::string& name, vtkDataObject* field, int number, double gap, int minimum,
   int maximum, Check& check)
 {
@@ -206,14 +208,16 @@ void TestBlocks(Check& check)
   auto first = MakePart(0, 7);
   auto second = MakePart(7, 16);
   auto third = MakePart(16, Around);
-  // Despite rounding errors, some faces between blocks are identical. The faces at 2 pi are not.
+  // Despite rounding errors, some faces between blocks are identical. The faces at the angles 0 and
+  // 2 pi are not.
   const int seam = Outward * Along;
   CheckClosed("blocks", MakeBlocks({ first, second, third }), 10000, 0.0, seam, 3 * seam, check);
   CheckClosed("blocks with a gap", MakeBlocks({ MakePart(0, 7, 1e-5), second, third }), 1000, 1e-5,
     2 * seam, 3 * seam, check);
 }
 
-/// Faces that do not match: streamlines end there, and a warning contains their number.
+/// Tests faces that do not match: streamlines end there, and a warning contains the number of these
+/// faces.
 void TestOpen(Check& check)
 {
   auto coarse = MakeStructuredGrid({ { Outward, 8, 1 } });

@@ -50,7 +50,7 @@ Vector Shear(const Vector& x)
   return { { 1.0, 0.25 * x[2], 0.0 } };
 }
 
-/// Returns grids of all kinds over [0, 4] with a field that all of them interpolate exactly.
+/// Returns grids of all kinds over [0, 4]^3 with a field that all of them interpolate exactly.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeGrids()
 {
   auto grids = MakeFlowGrids();
@@ -92,7 +92,7 @@ void TestGrids(Check& check)
       if (std::abs(y) < 1e-9 && x[0] > 0.0)
       {
         // Rounding errors decide whether streamlines toward the common edge of the planes x = 0 and
-        // y = 0 reach the plane.
+        // y = 0 reach the plane x = 0.
         continue;
       }
       const bool reaches = y >= 0.0;
@@ -132,7 +132,7 @@ void TestGrids(Check& check)
   check.SetContext("");
 }
 
-/// Samples on a separate image and on another dataset, some of them outside the field.
+/// Tests samples on a separate image and on another dataset. Some samples are outside the field.
 void TestSamples(Check& check)
 {
   auto image = MakeFlowImage(5, Shear);
@@ -283,7 +283,8 @@ void TestCriticalPoints(Check& check)
     "without a sphere they stagnate");
 }
 
-/// Tests explicit, automatic and unused ids, and execution after a surface is modified.
+/// Tests explicit and automatic ids, the surfaces that use them, and execution after modifying a
+/// surface.
 void TestIds(Check& check)
 {
   auto image = MakeFlowImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });
@@ -310,7 +311,6 @@ void TestIds(Check& check)
     check.Equal(filter->GetUsedSurface(i) == surfaces[i], true, "the id is in use");
     check.Equal(filter->GetUsedSurfaceId(i), ids[i], "the surface has its id");
   }
-  // Modifying a surface causes another execution.
   const auto executions = filter->GetReport()->GetCount("Executions");
   first->SetOrigin(0.5, 0.0, 0.0);
   first->SetPoint1(0.5, 4.0, 0.0);
@@ -363,7 +363,7 @@ void TestThreads(Check& check)
   check.That(steps > 1000, "the report has steps");
 }
 
-/// A block of points with NaN: only samples that are in the block or reach it have the status
+/// Tests a block of points with NaN. Only samples that are in the block or reach it have the status
 /// NOT_FINITE.
 void TestNotFinite(Check& check)
 {

@@ -44,7 +44,8 @@ Vector Shear(const Vector& x)
   return { { 1.0, 0.25 * x[2], 0.125 } };
 }
 
-/// Returns an image with cells of width 1: [0, 4] in y and z, and \a cells from \a start along x.
+/// Returns an image with cells of width 1. It has \a cells cells along x, from x = \a start, and
+/// covers [0, 4] in y and z.
 Grid MakeImage(int start, int cells)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -275,8 +276,8 @@ void AddArray(vtkDataSetAttributes* data, const char* name, vtkIdType number, do
   data->AddArray(array);
 }
 
-/// Arrays that exist in all blocks are passed. At common points, the values of the first block are
-/// used.
+/// Arrays that exist in all blocks are passed. At points that blocks share, the values of the first
+/// block are used.
 void TestArrays(Check& check)
 {
   auto first = MakeImage(0, 2);

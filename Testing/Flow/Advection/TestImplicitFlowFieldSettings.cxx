@@ -53,7 +53,8 @@ vtkDataSet* Update(vtkImplicitFlowField* filter)
   return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-/// Limits of time, speed and error, and the automatic values for a field without flow.
+/// Tests the maximum time, the maximum error and the minimum speed, and automatic values for a
+/// field without flow.
 void TestLimits(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -88,8 +89,8 @@ void TestLimits(Check& check)
     "the minimum speed for a field without flow");
 }
 
-/// Integration methods, identified by their numbers of steps, and the arrays that store these
-/// numbers.
+/// Tests that each integration method takes steps of its kind only, and that step counts are stored
+/// in arrays if requested.
 void TestMethods(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -259,8 +260,8 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(
   return array;
 }
 
-/// Each array has a separate mean. Duplicate arrays have one mean, and arrays with several
-/// components have none.
+/// Each array has its own mean, and only one if the array is added twice. Arrays with several
+/// components are rejected.
 void TestMeans(Check& check)
 {
   auto image = MakeFlowImage(5, Uniform);
@@ -288,8 +289,7 @@ void TestMeans(Check& check)
     "no mean of vectors");
 }
 
-/// Upstream requests: all pieces of the field, but only the requested piece of samples from another
-/// input.
+/// The filter requests the whole field, but only one piece of samples from another input.
 void TestRequests(Check& check)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

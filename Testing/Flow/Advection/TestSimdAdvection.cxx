@@ -39,7 +39,7 @@ using namespace reference;
 using interlume::AdvectionOptions;
 using interlume::AdvectionResult;
 
-/// Returns all results of a streamline except the number of SIMD steps.
+/// Returns the bytes of the results of a streamline, except the number of SIMD steps.
 std::string GetBytes(const AdvectionResult& result)
 {
   std::string bytes;
@@ -61,7 +61,7 @@ std::string GetBytes(const AdvectionResult& result)
   return bytes;
 }
 
-/// Counts of the statuses and steps that occurred.
+/// Number of streamlines with each status, and numbers of steps.
 struct Seen
 {
   std::map<int, vtkIdType> Statuses;
@@ -69,7 +69,7 @@ struct Seen
   vtkIdType SimdSteps = 0;
 };
 
-/// Compares SIMD advection with scalar advection.
+/// Compares SIMD advection with the results \a alone of scalar advection.
 template <typename Group>
 void CompareWithScalar(Group& lanes, const std::string& name, const std::vector<Vector>& starts,
   const std::vector<std::string>& alone, Seen& seen, Check& check)
@@ -230,7 +230,7 @@ void TestFields(Seen& seen, Check& check)
   check.SetContext("");
 }
 
-/// Shapes and types of grids, with blanked and non-finite regions.
+/// Tests images and rectilinear grids, several vector types, and blanked and non-finite regions.
 void TestGrids(Seen& seen, Check& check)
 {
   const auto swirl = [](const Vector& x) {
@@ -271,7 +271,7 @@ void TestGrids(Seen& seen, Check& check)
   check.SetContext("");
 }
 
-/// Limits of time, steps and speed; stiff and random fields; all methods.
+/// Tests all methods with limits of time, steps and speed, and with stiff and random fields.
 void TestLimits(Seen& seen, Check& check)
 {
   const auto stiff = [](const Vector& x) {
@@ -309,8 +309,8 @@ void TestLimits(Seen& seen, Check& check)
   check.SetContext("");
 }
 
-/// Logarithms and powers compared with the standard library. SIMD packs of two and of four lanes
-/// yield bit-identical results.
+/// Tests that SIMD logarithms and powers are close to exact, and bit-identical for packs of two and
+/// four lanes.
 void TestPowers(Check& check)
 {
   using interlume::SimdPack;

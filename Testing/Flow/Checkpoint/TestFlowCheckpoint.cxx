@@ -167,7 +167,7 @@ void AddBytes(std::string& bytes, vtkFieldData* data)
   }
 }
 
-/// Returns all values of the output.
+/// Returns the class name, points and arrays of the output as bytes.
 std::string GetBytes(vtkImplicitFlowField* filter)
 {
   vtkDataSet* output = GetOutput(filter);
@@ -182,8 +182,8 @@ std::string GetBytes(vtkImplicitFlowField* filter)
   return bytes;
 }
 
-/// Returns a copy of the report without the statistics of checkpoints, and without the number of
-/// SIMD steps, which depends on how streamlines are grouped.
+/// Returns a copy of the report without values that may differ between runs: checkpoint statistics,
+/// SIMD steps (which depend on how streamlines are grouped), and cached faces.
 ReportCopy GetNumbers(vtkImplicitFlowField* filter)
 {
   const auto report = CopyReport(filter->GetReport());
@@ -205,7 +205,7 @@ void Write(const std::string& name, const std::string& content)
   std::ofstream(name, std::ios::binary) << content;
 }
 
-/// Aborts the execution at \a progress.
+/// Runs a filter with checkpoints and aborts it at \a progress.
 void Abort(const Case& test, const std::string& name, double progress, Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -219,7 +219,7 @@ void Abort(const Case& test, const std::string& name, double progress, Check& ch
   check.Equal(GetOutput(filter)->GetPointData()->GetNumberOfArrays(), 0, "arrays after an abort");
 }
 
-/// Checks that the file is a table with an array that identifies checkpoints.
+/// Checks that the file is a table of streamlines, with the array that identifies checkpoints.
 void CheckFile(const std::string& name, Check& check)
 {
   vtkNew<vtkXMLTableReader> reader;
@@ -233,7 +233,7 @@ void CheckFile(const std::string& name, Check& check)
   check.That(!files::exists(name + ".part"), "no temporary file remains");
 }
 
-/// Resumes with a new filter. Returns the number of streamlines read from the file.
+/// Resumes from the file with a new filter. Returns the number of streamlines read from the file.
 vtkIdType Resume(const Case& test, const std::string& name, const std::string& whole,
   vtkInterlumeReport* numbers, Check& check)
 {
@@ -282,7 +282,7 @@ void TestAborts(const std::string& name, Check& check)
   }
 }
 
-/// Checkpoints are written only if there is a file name, and do not change the result.
+/// Checkpoints are written only if a file name is set, and do not change the result.
 void TestOnRequest(const std::string& name, Check& check)
 {
   check.SetContext("checkpoints on request");
@@ -310,7 +310,7 @@ void TestOnRequest(const std::string& name, Check& check)
   check.That(!files::exists(name), "no file remains");
 }
 
-/// Requests a piece. Each piece has a separate file.
+/// Each piece of the output has a separate checkpoint file.
 void TestPieces(const std::string& name, Check& check)
 {
   check.SetContext("pieces");
@@ -329,8 +329,8 @@ void TestPieces(const std::string& name, Check& check)
 
 using Change = std::function<void(vtkImplicitFlowField*)>;
 
-/// Checks that an invalid file, or a file of another execution, is rejected with a warning that
-/// contains \a words.
+/// Checks that an invalid file, or a checkpoint with other settings or inputs, is rejected with a
+/// warning that contains \a words.
 void TestRejection(const std::string& name, const std::string& what, const std::string& words,
   const Change& change, Check& check)
 {
@@ -344,7 +344,7 @@ void TestRejection(const std::string& name, const std::string& what, const std::
   test.Set(filter);
   change(filter);
   filter->SetCheckpointFileName(name.c_str());
-  // No checkpoint is written before the interval has passed.
+  // The interval is long enough that no checkpoint is written.
   filter->SetCheckpointInterval(3600.0);
   const std::string warning = WarningsOf(filter);
   check.That(warning.find(name) != std::string::npos, "the file's name in: " + warning);
@@ -355,7 +355,7 @@ void TestRejection(const std::string& name, const std::string& what, const std::
   check.That(GetBytes(filter) == GetBytes(expected), "the result equals the result without a file");
 }
 
-/// An existing checkpoint with other settings is replaced when an execution is stopped.
+/// A checkpoint with other settings is replaced when an execution is aborted.
 void TestReplaced(const std::string& name, Check& check)
 {
   check.SetContext("replaced");
@@ -466,7 +466,7 @@ void TestNoDirectory(Check& check)
 
 constexpr double KilledAt = 0.7;
 
-/// Kills the process during the execution.
+/// Observer that kills the process when the progress reaches KilledAt.
 void KillAt(vtkObject*, unsigned long, void*, void* progress)
 {
   if (*static_cast<double*>(progress) >= KilledAt)

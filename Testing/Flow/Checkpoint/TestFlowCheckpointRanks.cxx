@@ -22,7 +22,7 @@ namespace
 
 using namespace reference;
 
-/// Returns the results of this process's samples.
+/// Returns the results of this process's samples as bytes.
 std::string GetBytes(vtkImplicitFlowField* filter)
 {
   std::string bytes;
@@ -69,7 +69,7 @@ void TestRanks(Check& check, vtkMultiProcessController* controller)
   vtkNew<vtkImplicitFlowField> stopped;
   stopped->SetCheckpointFileName(name.c_str());
   ProgressWatch watch;
-  // Other processes do not abort.
+  // Only process 1 aborts. The progress of the others never reaches 2.
   watch.AbortAt = rank == 1 ? 0.7 : 2.0;
   Observe(stopped, watch);
   Update(stopped, controller);

@@ -39,7 +39,7 @@ using namespace reference;
 constexpr double Pi = 3.14159265358979324;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Settings of the filter.
+/// Parameters of vtkFlowLIC.
 struct Setting
 {
   bool IsHann = true;
@@ -54,7 +54,7 @@ double GetKernel(const Setting& setting, double s)
   return setting.IsHann ? 0.5 * (1.0 + std::cos(Pi * s / setting.Length)) : 1.0;
 }
 
-/// Returns the weighted mean of noise along a line from -back to front.
+/// Returns the kernel-weighted mean of the noise at line(s), with s from -back to front.
 double GetMean(
   const Setting& setting, const std::function<Vector(double)>& line, double back, double front)
 {
@@ -71,8 +71,8 @@ double GetMean(
   return sum / weights;
 }
 
-/// Returns the correlation of one-dimensional noise at two positions \a distance apart: the mean
-/// product of a grid point's interpolation weights.
+/// Returns the covariance of one-dimensional noise at two positions \a distance apart, if values at
+/// grid points have unit variance: the autocorrelation of the tent function.
 double GetCorrelation(double distance)
 {
   constexpr int parts = 200;
@@ -85,8 +85,8 @@ double GetCorrelation(double distance)
   return 2.0 * sum / parts;
 }
 
-/// Returns the standard deviation of GetMean() for straight lines, from covariances along random
-/// directions.
+/// Returns the standard deviation of GetMean() for straight lines, from covariances of the noise
+/// that are averaged over random directions.
 double GetDeviation(const Setting& setting, double back, double front)
 {
   std::vector<double> correlations;
@@ -139,7 +139,7 @@ vtkSmartPointer<vtkFlowLIC> MakeFilter(const Setting& setting)
   return filter;
 }
 
-/// Returns an image over [-2, 2].
+/// Returns an image with bounds [-2, 2] along each axis.
 vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -226,8 +226,8 @@ void TestValues(Check& check, const std::string& name, const VectorField& field,
   }
 }
 
-/// With few samples, the weights of the trapezoidal rule matter. Values minus 1/2 are proportional
-/// to the sums of this rule.
+/// With few samples per streamline, the end weights of the trapezoidal rule matter. The difference
+/// between a value and 1/2 is proportional to the trapezoidal sum of the noise minus 1/2.
 void TestWeights(Check& check)
 {
   check.SetContext("weights: ");
@@ -257,8 +257,8 @@ void TestWeights(Check& check)
   }
 }
 
-/// If a streamline leaves the field, the remaining part of the kernel is normalized with its own
-/// standard deviation.
+/// If a streamline leaves the field, its mean is normalized with the standard deviation for the
+/// truncated kernel.
 void TestEnds(Check& check)
 {
   Setting setting;
@@ -276,7 +276,8 @@ void TestEnds(Check& check)
     check.Equal(filter->GetReport()->GetCount("PointsWithShortLines"), 3, "short streamlines");
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
-      // The length is a multiple of the step. The last sample represents another half step.
+      // A streamline that leaves the field ends after the last full step inside it. Its last
+      // sample represents another half step.
       const auto reach = [&](double space)
       { return std::min(setting.Length, std::floor(space / setting.Step) * setting.Step); };
       const auto part = [&](double r) { return r + (r < setting.Length ? setting.Step / 2 : 0.0); };
@@ -296,7 +297,7 @@ void TestEnds(Check& check)
   }
 }
 
-/// The mean and standard deviation over a volume do not depend on the kernel.
+/// The mean and standard deviation over a volume do not depend on the kernel and its length.
 void TestContrast(Check& check)
 {
   for (const double length : { 0.05, 0.5, 1.5 })
@@ -330,7 +331,8 @@ void TestContrast(Check& check)
   }
 }
 
-/// Neighbors along streamlines have similar values. Neighbors across streamlines do not.
+/// Neighboring points on one streamline have similar values. Neighboring points on different
+/// streamlines do not.
 void TestCoherence(Check& check)
 {
   check.SetContext("coherence: ");
@@ -485,7 +487,7 @@ void TestDatasets(Check& check)
   }
 }
 
-/// If a setting is 0, its value is derived from the bounds.
+/// Settings that are 0, the default, are replaced with values derived from the bounds.
 void TestDefaults(Check& check)
 {
   check.SetContext("defaults: ");

@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkUnstructuredGrid* mesh)
   return filter;
 }
 
-/// Returns all values of the samples.
+/// Returns the point arrays of the samples as bytes.
 std::string GetBytes(vtkImplicitFlowField* filter)
 {
   std::string bytes;
@@ -50,7 +50,8 @@ std::string GetBytes(vtkImplicitFlowField* filter)
   return bytes;
 }
 
-/// Executes the filter again and compares the results with the results for a copy of the mesh.
+/// Executes the filter again and compares the results with those for a copy of the mesh, which is
+/// not cached.
 void CheckAgain(vtkImplicitFlowField* filter, vtkUnstructuredGrid* mesh, bool isCached,
   const std::string& what, Check& check)
 {
@@ -129,7 +130,7 @@ void TestChanges(MeshKind kind, Check& check)
   }
 }
 
-/// The cache is released with the last filter that uses it. vtkFlowLIC uses it too.
+/// The cache of a mesh is released with the last filter that uses it, which may be a vtkFlowLIC.
 void TestOwners(Check& check)
 {
   const auto mesh = MakeSwirl(FlowMeshKinds().front());

@@ -204,7 +204,7 @@ void TestScalars(Check& check)
                ->GetPointData()
                ->HasArray("AdvectionTime"),
     "the advection time is passed");
-  // A time range that contains all times requires no second pass.
+  // A time range that contains all times does not cut the volume.
   volume->SetTimeRange(0.0, 8.0);
   volume->Update();
   check.Equal(volume->GetReport()->GetCount("TimePasses"), 0, "no cut by time");
@@ -213,7 +213,7 @@ void TestScalars(Check& check)
   check.Equal(volume->GetReport()->GetCount("TimePasses"), 1, "the range is cut at its end");
 }
 
-/// Empty outputs, and the warnings that state the reasons.
+/// Each empty output causes a warning that states the reason.
 void TestWarnings(Check& check)
 {
   check.SetContext("warnings");
@@ -286,7 +286,7 @@ void TestWarnings(Check& check)
   check.That(WarningsOf(spheres).empty(), "no warning from the internal search");
 }
 
-/// The error lists arrays that could be used.
+/// If there are no active vectors, the error lists arrays that could be used.
 void TestErrors(Check& check)
 {
   check.SetContext("errors");

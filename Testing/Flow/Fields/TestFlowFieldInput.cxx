@@ -106,7 +106,7 @@ void TestBoundary(Check& check)
   points->SetInputData(both);
   const std::string none = WarningsOf(points);
   check.Contains(none, "no isolated critical point");
-  // The triangle as a separate block without vectors.
+  // A separate block with one triangle and without vectors.
   vtkNew<vtkPolyData> patch;
   patch->SetPoints(grid->GetPoints());
   patch->AllocateEstimate(1, 3);

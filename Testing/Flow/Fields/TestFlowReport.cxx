@@ -13,8 +13,8 @@ namespace
 
 using namespace reference;
 
-/// Returns a report of two samples that reached a surface and one sample that did not. All values
-/// differ.
+/// Returns a report of two samples that reached a surface and one sample that did not. Each counter
+/// has a different value.
 interlume::FlowReport MakeReport()
 {
   interlume::AdvectionResult result;

@@ -120,8 +120,8 @@ void CheckSeam(Check& check)
         check.That(
           !walker.Cross(4, p.data()) || walker.GetDomainFace(5) == -1, "domain faces along z");
       }
-      // The inner side is a polygon. The point is in the bounding box of the cell, but not in the
-      // cell.
+      // The inner side is a polygon. The points are in the bounding box of a cell, on both sides
+      // of the cell's inner face.
       const double midpoint = 3.14159265358979324 / cells[1];
       for (const double beside : { -1e-4, -1e-9, 1e-9 })
       {
@@ -143,7 +143,7 @@ void CheckSeam(Check& check)
     });
 }
 
-// The branch cut of a C-grid in parabolic coordinates, where i runs back along itself.
+// The branch cut of a C-grid in parabolic coordinates, where the side j = 0 folds back on itself.
 void CheckCut(Check& check)
 {
   check.SetContext("cut");
@@ -187,7 +187,7 @@ void CheckBlanking(Check& check)
   WithWalker(grid, vectors, check, [&](const auto& walker) { CheckHiddenRow(walker, check); });
 }
 
-// A wedge of revolution: at i = 0, all cells end at the axis, where j has no effect.
+// A wedge of revolution. The faces of cells at i = 0 collapse to lines on the axis.
 void CheckCollapsed(Check& check)
 {
   check.SetContext("collapsed");
@@ -217,8 +217,8 @@ void CheckCollapsed(Check& check)
     });
 }
 
-// A corner with an angle of 180 degrees: two columns of dx/dp are parallel except for rounding
-// errors.
+// A corner with an angle of 180 degrees: two columns of the Jacobian dx/dp are parallel except for
+// rounding errors.
 void CheckStraightCorner(Check& check)
 {
   check.SetContext("straight corner");
@@ -323,7 +323,8 @@ void CheckDistorted(Check& check)
   check.That(cells > 100, "the field has such cells");
 }
 
-// A cell inverted by a moved point, and collapsed cells: all walks end, and no result is NaN.
+// A cell inverted by a moved point, and cells with a collapsed edge: located positions are correct,
+// and velocities are finite.
 void CheckFolded(Check& check)
 {
   check.SetContext("folded");
@@ -365,7 +366,8 @@ void CheckErrors(Check& check)
   check.That(find().find("the field has no three-dimensional cells. ") == 0, find());
 }
 
-// Returns cells, positions and velocities of points, from a field built and read in parallel.
+// Returns the cell, cell coordinates and velocity at each point. The field is built and read in
+// parallel.
 std::vector<double> FindAll(vtkDataSet* data, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all(7 * data->GetNumberOfPoints());

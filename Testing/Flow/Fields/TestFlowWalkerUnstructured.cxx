@@ -98,7 +98,7 @@ void CheckApex(Check& check)
         walker.GetVelocity(p.data(), rate.data());
         walker.GetJacobian(p.data(), jacobian.data());
         check.That(GetNorm(rate) < 100.0, "the rate is bounded");
-        // Positions slightly to the side of the apex, below and above it.
+        // Positions slightly beside, below and above the apex.
         for (const double z : { 1.0 - 1e-13, 1.0, 1.0 + 1e-13, 1.0 + 1e-3 })
         {
           const double beside[3] = { 1e-13, -1e-13, z };
@@ -109,8 +109,8 @@ void CheckApex(Check& check)
     });
 }
 
-// Two blocks without shared points are connected, except where one has quadrilaterals and the other
-// has triangles.
+// Two blocks without shared points are connected, except where quadrilaterals of one block meet
+// triangles of the other.
 void CheckBlocks(Check& check)
 {
   check.SetContext("blocks");
@@ -177,7 +177,7 @@ void CheckBlanking(Check& check)
     });
 }
 
-// A hidden cell has no bounding box. A box of zeros would be at the origin.
+// A hidden cell at the origin is not found. Its bounding box must be empty, not all zeros.
 void CheckHiddenAtOrigin(Check& check)
 {
   check.SetContext("hidden at the origin");
@@ -226,7 +226,7 @@ void CheckNonFinite(Check& check)
     });
 }
 
-// Arrays are interpolated in the same way as vectors.
+// Scalar arrays are interpolated in the same way as vectors.
 void CheckArrays(Check& check)
 {
   for (const MeshKind kind : FlowMeshKinds())
@@ -290,7 +290,7 @@ void CheckErrors(Check& check)
   check.That(find(empty).find("the field has no three-dimensional cells. ") == 0, find(empty));
 }
 
-// Returns positions, cells and times along lines through a mesh whose field is built in parallel.
+// Returns cell coordinates, cells and times of walks along lines. The field is built in parallel.
 std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all;

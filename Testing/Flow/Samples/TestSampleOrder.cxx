@@ -23,7 +23,7 @@ namespace
 using namespace reference;
 using interlume::SampleOrder;
 
-/// Returns whether the order contains each sample from \a first exactly once.
+/// Returns whether the order contains each sample from \a first to the last exactly once.
 bool IsComplete(const SampleOrder& order, vtkIdType first, vtkIdType number)
 {
   std::vector<vtkIdType> ids;
@@ -53,7 +53,8 @@ void TestCodes(Check& check)
   check.Equal(SampleOrder::GetCode(index), code, "interleaved bits");
 }
 
-/// Runs of 8 samples of an image are blocks of 2 x 2 x 2, runs of 64 are blocks of 4 x 4 x 4.
+/// Runs of 8 consecutive samples of an image form blocks of 2 x 2 x 2 samples, runs of 64 form
+/// blocks of 4 x 4 x 4, and runs of 512 form blocks of 8 x 8 x 8.
 void TestBlocks(Check& check)
 {
   vtkNew<vtkImageData> image;
@@ -86,7 +87,8 @@ void TestBlocks(Check& check)
   }
 }
 
-/// Points in a plane, on a line, at one position, an empty set, and non-finite points.
+/// The order is complete for points in space, in a plane, on a line, or at one position, for an
+/// empty set, and for non-finite points.
 void TestShapes(Check& check)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -32,7 +32,7 @@ using namespace reference;
 
 constexpr int AllCells = 1000000;
 
-/// The numbers of points and the bounds of an image of samples.
+/// Dimensions and bounds of an image of samples.
 struct SampleGrid
 {
   std::array<int, 3> Points;
@@ -50,7 +50,7 @@ struct SampleGrid
   }
 };
 
-/// The exact end of a streamline, from a formula.
+/// The exact result for the end of a streamline: its status, u, v and time.
 struct End
 {
   int Status = vtkFlowStatus::REACHED_SURFACE;
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataSet* field, vtkTerminatio
   return filter;
 }
 
-/// The report's values for the interpolation between samples.
+/// The values of the report about interpolation errors between samples.
 struct Sampling
 {
   struct Error
@@ -103,7 +103,7 @@ Sampling ReadReport(vtkInterlumeReport* report)
     error("SamplingErrorTime") };
 }
 
-/// Computes the expected report of all cells from the formula.
+/// Computes the expected report from the formula, for checks of all cells.
 Sampling GetExpected(const SampleGrid& samples, const Formula& formula)
 {
   Sampling report;
@@ -187,7 +187,7 @@ void CheckReport(const Sampling& found, const Sampling& expected, Check& check)
   compare(found.Time, expected.Time, "time");
 }
 
-/// Uniform flow has no error between samples.
+/// In uniform flow, interpolation between samples has no error.
 void TestUniform(Check& check)
 {
   for (const auto& grid : MakeFlowGrids())
@@ -210,8 +210,8 @@ void TestUniform(Check& check)
   check.SetContext("");
 }
 
-/// A rotation around the line x = 0, y = -1 toward the plane x = 0. Streamlines that would reach it
-/// above the field leave the field.
+/// Rotating flow around the axis x = 0, y = -1. Backward streamlines reach the plane x = 0, except
+/// those that would reach it above y = 4, which leave the field.
 Vector Rotation(const Vector& x)
 {
   return { { x[1] + 1.0, -x[0], 0.0 } };
@@ -255,8 +255,8 @@ void TestRotation(Check& check)
   check.SetContext("");
 }
 
-/// Errors decrease by a factor of four if the spacing is halved. Errors of 1,000 checked cells are
-/// similar to the errors of all cells.
+/// Errors decrease by a factor of four when the spacing is halved. Errors in 1,000 checked cells
+/// are similar to those in all cells.
 void TestOrder(Check& check)
 {
   const auto grid = MakeFlowGrids()[2].second;
@@ -317,7 +317,8 @@ void TestSeam(Check& check)
   }
 }
 
-/// Where streamlines return to their surface, cells across the surface are split.
+/// In rotating flow, the advection time jumps at a half-plane. Cells across the half-plane are
+/// reported as split, not as errors.
 void TestJump(Check& check)
 {
   const auto field = MakeFlowImage(5,

@@ -34,7 +34,7 @@ namespace
 using namespace reference;
 using interlume::StreamlineSharing;
 
-/// The known result at i, j, k, from a formula.
+/// The exact result of the sample with indices i, j, k.
 struct Formula
 {
   int Status = vtkFlowStatus::REACHED_SURFACE;
@@ -45,7 +45,7 @@ struct Formula
 };
 using FormulaFunction = std::function<Formula(double i, double j, double k)>;
 
-/// Counts and errors of the interpolation of known results.
+/// Results of Run(): number of samples, ids of interpolated samples, and errors.
 struct Outcome
 {
   vtkIdType Number = 0;
@@ -55,7 +55,7 @@ struct Outcome
   vtkIdType Checks = 0;
 };
 
-/// Interpolates known results. Errors are maximum differences divided by \a tolerance.
+/// Interpolates exact results. Errors are maximum differences divided by \a tolerance.
 Outcome Run(const std::vector<int>& points, const FormulaFunction& known, double tolerance,
   std::array<bool, 2> isPeriodic, Check& check)
 {
@@ -125,8 +125,7 @@ Outcome Run(const std::vector<int>& points, const FormulaFunction& known, double
   return outcome;
 }
 
-/// Cubic polynomials are interpolated exactly, smooth functions within the tolerance. Other
-/// functions are not interpolated.
+/// Cubic polynomials are interpolated exactly, and other functions only within the tolerance.
 void TestFormulas(Check& check)
 {
   const auto cubic = [](double i, double j, double k)
@@ -143,8 +142,8 @@ void TestFormulas(Check& check)
     check.SetContext("cubic, " + std::to_string(points[0]) + " points");
     const Outcome cubics = Run(points, cubic, 1e-9, { { false, false } }, check);
     check.That(cubics.LargestError < 1e-3, "no error for a cubic polynomial");
-    // On a line, every sample that could be interpolated is the center of a block, which is
-    // advected as a check.
+    // The samples at centers of blocks are advected as checks. On a line, these are all samples
+    // that could be interpolated.
     check.Equal(
       cubics.Shared.empty(), points[0] < 33, "samples are interpolated if there are blocks");
   }
@@ -175,8 +174,8 @@ void TestFormulas(Check& check)
   check.That(before > 0.7 * 41 * 41 * 41, std::to_string(before) + " samples interpolated");
 }
 
-/// Samples across a change of id or status, a seam, or a thin wall are not interpolated. Samples on
-/// one side of it are.
+/// Samples are not interpolated across a change of id or status, a seam, or a thin wall, but they
+/// are interpolated on either side of it.
 void TestRejections(Check& check)
 {
   const auto fraction = [&](const FormulaFunction& known, std::array<bool, 2> isPeriodic) {
@@ -195,7 +194,7 @@ void TestRejections(Check& check)
       const bool isOtherSide = i + 0.3 * j > 20.7;
       result.Id = kind == 0 && isOtherSide ? 1 : 0;
       result.Status = kind == 1 && isOtherSide ? vtkFlowStatus::LEFT_DOMAIN : result.Status;
-      // The seam of u crosses the samples.
+      // The seam of u passes between samples.
       result.U = kind == 2 ? std::fmod(0.8 + result.U, 1.0) : result.U;
       return result;
     };
@@ -227,8 +226,7 @@ void TestRejections(Check& check)
       found.Shared.size() > 0.1 * static_cast<double>(all), "other samples are interpolated");
   }
   check.SetContext("");
-  // The boundary edge of the surface lies between the ends of adjacent streamlines. Interpolation
-  // extends across the edge.
+  // Close to the boundary edge u = 1 of the surface, u has a kink between adjacent samples.
   const auto edge = [&](double i, double j, double)
   {
     const double distance = 0.03 * i + 1e-5 * j * j;
@@ -257,7 +255,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(int field, double error, bool is
   source->SetDimensions(17, 17, 17);
   if (field == vtkAnalyticFlowSource::ROTATION)
   {
-    // Every circular streamline leaves the field.
+    // Around this center outside the field, every circular streamline leaves the field.
     source->SetCenter(-1.2, -1.2, 0.0);
   }
   auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
@@ -326,8 +324,8 @@ std::vector<double> FindErrors(vtkImplicitFlowField* all, vtkImplicitFlowField* 
   return errors;
 }
 
-/// Eight fields: 99.9 % of the interpolated results have errors within ten times the tolerance of
-/// advection. The rest exceed it only slightly.
+/// In eight fields, the errors of interpolated results are less than ten times the tolerance of
+/// advection.
 void TestFields(Check& check)
 {
   vtkIdType shared = 0;
@@ -355,7 +353,7 @@ void TestFields(Check& check)
             report->GetNumber("InterpolationChecks") == 0),
         "errors in the report");
       const std::vector<double> errors = FindErrors(all, some);
-      // Samples on a surface have no error.
+      // FindErrors() skips samples on a surface, where the time is 0.
       check.That(
         10 * static_cast<vtkIdType>(errors.size()) >= 9 * report->GetCount("InterpolatedSamples"),
         std::to_string(errors.size()) + " interpolated");
@@ -386,7 +384,7 @@ void TestRuns(Check& check)
         bytes = GetBytes(filter);
       });
   }
-  // Path quantities are not interpolated, and samples must form a regular grid.
+  // Samples are not interpolated if path quantities are computed, or if the samples form a mesh.
   auto filter = NewFilter(vtkAnalyticFlowSource::ROTATION, 1e-3, true);
   filter->ComputeArcLengthOn();
   filter->Update();

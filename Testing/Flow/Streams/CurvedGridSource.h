@@ -10,7 +10,7 @@
 #include <functional>
 
 /**
- * An analytic flow on a structured grid, for any requested extent.
+ * Source of an analytic flow on a curved structured grid, which can produce any requested extent.
  */
 class CurvedGridSource : public vtkStructuredGridAlgorithm
 {
@@ -18,11 +18,11 @@ public:
   static CurvedGridSource* New();
   vtkTypeMacro(CurvedGridSource, vtkStructuredGridAlgorithm);
 
-  /// Computes the position of a point from its indices, which are mapped to the range 0 to 1 over
-  /// the whole extent.
+  /// Computes the position \a x of a point from its indices, which are scaled so that the whole
+  /// extent is [0, 1].
   using Shape = std::function<void(const double part[3], double x[3])>;
-  /// @{ A closed ring around an axis whose first and last angles differ by rounding errors, a ring
-  /// with its innermost points on the axis, and a bent box.
+  /// @{ Shapes: Ring is closed around the z axis, up to rounding errors. Pole is a ring whose
+  /// innermost points are on the axis. Bow is a bent box.
   static void Ring(const double part[3], double x[3]);
   static void Pole(const double part[3], double x[3]);
   static void Bow(const double part[3], double x[3]);
@@ -32,7 +32,7 @@ public:
   Shape GetPosition = Bow;
   int WholeExtent[6] = { 2, 16, -3, 15, 1, 11 };
   int PointType = VTK_DOUBLE;
-  /// Hides some cells and some points.
+  /// If true, some cells and some points are hidden.
   bool IsBlanked = false;
 
 protected:

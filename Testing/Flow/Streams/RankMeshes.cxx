@@ -30,7 +30,7 @@
 
 namespace
 {
-/// A source that produces pieces.
+/// Base class of sources that handle piece requests.
 template <typename Algorithm>
 class PieceAlgorithm : public Algorithm
 {

@@ -18,13 +18,13 @@ class vtkUnstructuredGrid;
  */
 namespace RankMeshes
 {
-/// Returns a mesh with the shape of a curved grid, whose hexahedral cells are split into cells of
-/// the given kind. \a field is a field of vtkAnalyticFlowSource and \a type the VTK type of the
-/// point coordinates.
+/// Returns a mesh with the given shape, whose hexahedral \a cells are split into cells of the given
+/// kind. \a field is a field of vtkAnalyticFlowSource and \a type the VTK type of the point
+/// coordinates.
 vtkSmartPointer<vtkUnstructuredGrid> Make(reference::MeshKind kind, const std::array<int, 3>& cells,
   CurvedGridSource::Shape shape, int field, int type = VTK_DOUBLE);
 
-/// Shuffles the cells, so that cells of different pieces are adjacent everywhere.
+/// Shuffles the cells, so that the pieces are interleaved.
 void Shuffle(vtkUnstructuredGrid* mesh);
 
 /// Hides some cells and some points.
@@ -42,9 +42,9 @@ using GetPiece = std::function<vtkSmartPointer<vtkUnstructuredGrid>(int piece, i
 /// Returns a source of the given pieces.
 vtkAlgorithm* MakeSource(const GetPiece& getPiece);
 
-/// Returns a source of blocks, each with a part of the mesh and separate vectors, and an empty
-/// block. Blocks are assigned to pieces in equal numbers. If \a hasOwnArrays is true, blocks of the
-/// first half have an additional array.
+/// Returns a source that splits the mesh into \a blocks blocks, whose vectors have different
+/// offsets, and adds a block with only a triangle. Blocks are distributed evenly among pieces. If
+/// \a hasOwnArrays is true, some blocks have an additional array.
 vtkAlgorithm* MakeBlockSource(vtkUnstructuredGrid* mesh, int blocks, bool hasOwnArrays = false);
 }
 

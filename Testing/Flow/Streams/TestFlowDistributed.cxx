@@ -54,7 +54,8 @@ namespace
 
 using namespace reference;
 
-/// An analytic flow on a rectilinear grid with decreasing spacing, for any requested extent.
+/// Source of an analytic flow on a rectilinear grid with decreasing spacing, which can produce any
+/// requested extent.
 class GridSource : public vtkRectilinearGridAlgorithm
 {
 public:
@@ -250,7 +251,7 @@ void AddCurvedCases(std::vector<Case>& cases)
     } });
 }
 
-/// A case with a mesh that is divided into pieces by a source.
+/// Returns a case with a mesh that the source divides into pieces.
 Case MakeMeshCase(const std::string& name, const vtkSmartPointer<vtkUnstructuredGrid>& mesh,
   const std::function<void(vtkImplicitFlowField*)>& set)
 {
@@ -299,7 +300,7 @@ void AddMeshCases(std::vector<Case>& cases)
   const auto hidden =
     RankMeshes::Make(Kind::Wedges, { { 6, 7, 5 } }, CurvedGridSource::Bow, Flow::ABC);
   RankMeshes::Hide(hidden);
-  // Fill values at points that several processes share. Each counts once.
+  // Fill values at points that several processes share. Each is counted once.
   for (const vtkIdType point : { 144, 150, 151 })
   {
     hidden->GetPointData()->GetVectors()->SetTuple3(point, 1e30, 0.0, 0.0);
@@ -384,7 +385,8 @@ std::vector<Case> MakeCases()
   return cases;
 }
 
-/// Returns the ids of a part's points in the full output. Uses indices if points may coincide.
+/// Returns the ids of a part's points in the full output. Uses structured indices for structured
+/// grids, whose points may coincide.
 std::vector<vtkIdType> FindPoints(vtkDataSet* part, vtkDataSet* full)
 {
   std::vector<vtkIdType> ids(static_cast<std::size_t>(part->GetNumberOfPoints()));
@@ -422,7 +424,7 @@ std::vector<vtkIdType> FindPoints(vtkDataSet* part, vtkDataSet* full)
   return ids;
 }
 
-/// Compares samples with the samples at the same positions in the full output.
+/// Compares the samples of a part with the samples at the same positions in the full output.
 void Compare(Check& check, vtkDataSet* part, vtkDataSet* full)
 {
   const std::vector<vtkIdType> ids = FindPoints(part, full);
@@ -434,7 +436,7 @@ void Compare(Check& check, vtkDataSet* part, vtkDataSet* full)
     check.That(std::memcmp(x, part->GetPoint(id), sizeof(x)) == 0, "a sample of the full output");
   }
   vtkPointData* found = part->GetPointData();
-  // A process without blocks has no information about arrays.
+  // A process without blocks does not know the arrays.
   if (part->GetNumberOfPoints() > 0)
   {
     check.Equal(found->GetNumberOfArrays(), full->GetPointData()->GetNumberOfArrays(), "arrays");
@@ -445,7 +447,7 @@ void Compare(Check& check, vtkDataSet* part, vtkDataSet* full)
   for (int i = 0; i < found->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = found->GetArray(i);
-    // The side depends on cells at surfaces, which may belong to another process.
+    // TerminationSide depends on cells at surfaces, which may belong to another process.
     if (std::string(array->GetName()) == vtkFlowStatus::SideArray())
     {
       continue;
@@ -488,7 +490,7 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
     test.Set(filter);
     if (test.FillValues > 0)
     {
-      // A process with the full field warns of fill values.
+      // A process that stores the full field warns of fill values.
       filter->AddObserver(vtkCommand::WarningEvent, ignore);
     }
   }
@@ -534,8 +536,8 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
   }
 }
 
-/// Returns a memory value of the process from Linux in bytes: the current (VmRSS) or peak (VmHWM)
-/// resident size. Returns 0 on other systems.
+/// Returns the current (VmRSS) or peak (VmHWM) resident memory of the process in bytes on Linux.
+/// Returns 0 on other systems.
 double GetMemory(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
@@ -549,7 +551,7 @@ double GetMemory(const std::string& name)
   return 0.0;
 }
 
-/// Resets the peak memory. Returns false if the system does not support it.
+/// Resets the peak memory to the current memory. Returns false if the system does not support it.
 bool ResetMemory()
 {
 #ifdef __GLIBC__
@@ -560,8 +562,8 @@ bool ResetMemory()
   return GetMemory("VmHWM") <= 1.01 * GetMemory("VmRSS");
 }
 
-/// Each process stores a fraction of a large field. Compares the reported size and the memory of
-/// the process with the values for the full field.
+/// Each process stores a fraction of a large field. Compares the reported size of the field and the
+/// memory of the process with those for the full field.
 void TestMemory(Check& check, vtkMultiProcessController* controller, const std::string& name,
   vtkIdType points, std::size_t size, const std::function<vtkAlgorithm*()>& makeSource)
 {
@@ -591,7 +593,7 @@ void TestMemory(Check& check, vtkMultiProcessController* controller, const std::
   check.That(bytes[0] / bytes[1] <= maximum,
     "fraction of the field: " + std::to_string(bytes[0] / bytes[1]));
   const double fraction = isCounted ? growths[0] / growths[1] : 0.0;
-  // The buffers of the exchange, several MiB, depend on the MPI implementation.
+  // The limits allow for several MiB of MPI buffers, whose size depends on the implementation.
   check.That(ranks == 1 || fraction <= (ranks == 2 ? 0.7 : maximum),
     "fraction of the memory: " + std::to_string(fraction));
   if (controller->GetLocalProcessId() == 0)
@@ -622,7 +624,7 @@ void TestMemories(Check& check, vtkMultiProcessController* controller)
     check, controller, "mesh", 73 * 73 * 73, 24, [mesh] { return RankMeshes::MakeSource(mesh); });
 }
 
-/// Aborts the execution of a process while it advects streamlines.
+/// Observer that aborts the filter while it advects streamlines.
 void Abort(vtkObject* caller, unsigned long, void*, void*)
 {
   vtkAlgorithm* filter = vtkAlgorithm::SafeDownCast(caller);
@@ -664,8 +666,7 @@ void TestAbort(Check& check, vtkMultiProcessController* controller, const std::s
     filter->GetReport()->GetCount("Executions"), 1, "executions after the next execution");
 }
 
-/// Some settings require the full field in every process. With these settings, results are complete
-/// too.
+/// Some settings require the full field in every process. The report states the reason.
 void TestWholeField(Check& check, vtkMultiProcessController* controller)
 {
   check.SetContext("full field");
@@ -697,7 +698,7 @@ void TestWholeField(Check& check, vtkMultiProcessController* controller)
   }
 }
 
-/// Pieces of a mesh that require the full field, and pieces that do not.
+/// Some ways to divide a mesh into pieces require the full field in every process, others do not.
 void TestMeshPieces(Check& check, vtkMultiProcessController* controller)
 {
   using Kind = reference::MeshKind;
@@ -777,7 +778,7 @@ void TestMeshPieces(Check& check, vtkMultiProcessController* controller)
   }
 }
 
-/// An error in one process is reported by every process, and no process waits for another forever.
+/// An error is reported by every process, and no process waits forever for another.
 void TestErrors(Check& check, vtkMultiProcessController* controller)
 {
   check.SetContext("errors");

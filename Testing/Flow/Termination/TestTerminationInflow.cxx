@@ -25,7 +25,7 @@ namespace
 
 using namespace reference;
 
-/// Half the width of one of 32 slabs over [0, 4].
+/// Distance between the rectangle and the end of the field: half the width of one of 32 slabs.
 constexpr double Inside = 4.0 / 64.0;
 
 void CheckRectangle(vtkTerminationInflow* surface, int axis, double position, const double low[3],
@@ -46,7 +46,7 @@ void CheckRectangle(vtkTerminationInflow* surface, int axis, double position, co
     point1[next] - origin[next], high[next] - low[next], 1e-9, "u along the next axis", 1.0);
 }
 
-/// Uniform flow in both directions of each axis.
+/// Uniform flow along each axis, in both directions.
 void TestUniform(Check& check)
 {
   const double low[3] = { 0.0, 0.0, 0.0 };
@@ -76,8 +76,8 @@ void TestUniform(Check& check)
   }
 }
 
-/// A jet through a part of the inlet, a smaller rectangle, and a flow whose rate increases
-/// downstream.
+/// A jet through a part of the inlet, the same with a rectangle of half the size, and a flow whose
+/// rate increases downstream.
 void TestParts(Check& check)
 {
   check.SetContext("jet");
@@ -109,7 +109,7 @@ void TestParts(Check& check)
   check.That(bounds[0] > 1.8 && bounds[0] < 2.1, "the rectangle is where the flow rate is high");
 }
 
-/// Fields without inflow and with non-finite values.
+/// Fields without flow, and fields with NaN.
 void TestBad(Check& check)
 {
   check.SetContext("bad fields");
@@ -133,8 +133,8 @@ void TestBad(Check& check)
   check.Contains(MessagesOf(filter), "field has no flow");
 }
 
-/// The filter places the surface by its Direction and the field, and executes only once per change
-/// of Direction.
+/// The filter places the surface depending on the field and on Direction, and executes only once
+/// when Direction changes.
 void TestFilter(Check& check)
 {
   check.SetContext("filter");

@@ -115,7 +115,7 @@ void CheckNormalsOfMesh(Check& check)
   }
 }
 
-// With refined meshes, the distance converges to the distance from the sphere with second order.
+// As the mesh is refined, its distance converges to the sphere's distance with second order.
 void CheckConvergence(Check& check)
 {
   check.SetContext("convergence");
@@ -172,14 +172,15 @@ void CheckOpen(const SurfaceScale& scale, Check& check)
   }
 }
 
-// Normal and sign at a tip do not depend on the triangulation of its faces.
+// Normal and sign at a tip do not depend on the triangulation of the faces.
 void CheckFan(Check& check)
 {
   check.SetContext("fan");
   const TexturedMesh whole =
     MakeSolid({ { { 0, 0, 1 } }, { { -0.3, -0.3, 0 } }, { { 0.3, -0.3, 0 } }, { { 0, 0.3, 0 } } },
       { { { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 1 } }, { { 1, 3, 2 } } });
-  // The first face and the bottom are split into pieces that meet at the tip.
+  // The first face is split into triangles that meet at the tip, and the bottom into triangles that
+  // meet at point 3.
   const int pieces = 30;
   std::vector<Vector> points = whole.Points;
   std::vector<std::array<int, 3>> triangles = { { { 0, 2, 3 } }, { { 0, 3, 1 } } };
@@ -217,7 +218,8 @@ void CheckFan(Check& check)
   }
 }
 
-// Two sheets with the same orientation: the sign changes between them, where there is no surface.
+// Two parallel sheets with the same orientation. The sign changes midway between them, although no
+// surface is there.
 void CheckSheets(Check& check)
 {
   check.SetContext("sheets");

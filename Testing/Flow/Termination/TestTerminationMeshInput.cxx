@@ -32,7 +32,7 @@ Vector OnSphere(double u, double v)
     -0.7 * std::cos(Pi * v) } };
 }
 
-// Checks that distances equal the distances from the original mesh.
+// Checks that distances from a changed mesh equal the distances from the original mesh.
 void CheckSame(const TexturedMesh& changed, const TexturedMesh& mesh, const std::string& name,
   Check& check, int degenerate = 0)
 {
@@ -85,7 +85,8 @@ void CheckOrientation(Check& check)
   CheckSame(turnedPair, pair, "two solids", check);
 }
 
-// An open mesh keeps the orientation of most of its triangles, and their texture coordinates.
+// All triangles of an open mesh get the orientation of the majority, and keep their texture
+// coordinates.
 void CheckOpenOrientation(Check& check)
 {
   check.SetContext("open mesh");
@@ -139,8 +140,8 @@ void CheckDoubledPoints(Check& check)
     const int first = static_cast<int>(separate.Points.size());
     for (int corner : triangle)
     {
-      // The shift is below the tolerance. Shifted points lie on both sides of zero and of any plane
-      // of the hash grid.
+      // The shifts are below the tolerance. They have both signs, so that points to be merged may
+      // lie in different cells of the hash grid.
       const double shift = (static_cast<double>(separate.Points.size() % 7) - 3.0) * 1e-10;
       separate.Points.push_back(star.Points[corner] + Vector{ { shift, -shift, 0.5 * shift } });
       separate.Texture.push_back({ { 0.5, 0.01 * static_cast<double>(first) } });
@@ -288,7 +289,7 @@ void CheckMessages(Check& check)
   check.That(surface->Update().empty(), "unused points are ignored");
 }
 
-// Update detects changes of the mesh and does not modify the mesh.
+// Update detects changes to the mesh and does not modify the mesh.
 void CheckChanges(Check& check)
 {
   check.SetContext("changes");

@@ -25,11 +25,11 @@ Vector OnCylinder(double u, double v)
   return { { 0.5 * std::cos(2.0 * Pi * u), 0.5 * std::sin(2.0 * Pi * u), v - 0.5 } };
 }
 
-// Offset of u, as a fraction of a turn, so that u = 0 lies inside triangles instead of at points.
+// Offset of u, as a fraction of a turn, so that u = 0 lies inside triangles instead of at vertices.
 const double Shift = 0.02;
 
-// Removes the grid's points at u = 1, so that triangles at the seam use the points at u = 0. Adds
-// \a shift to u.
+// Returns the mesh without points at u = 1, so that triangles at the seam use the points at u = 0.
+// Adds \a shift to u.
 TexturedMesh WithoutSeam(const TexturedMesh& mesh, int columns, double shift = 0.0)
 {
   TexturedMesh merged;
@@ -64,7 +64,7 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
   check.Equal(surface->GetNumberOfBorderEdges(), 2 * columns, "boundary edges only at the ends");
   check.That(surface->IsPeriodic(0) && !surface->IsPeriodic(1), "u is periodic");
   CheckRoundTrip(surface, scale, 300, name, check);
-  // The parameters equal the cylinder's parameters up to the chord error.
+  // The parameters equal those of the exact cylinder up to the chord error.
   Random random(9);
   for (int i = 0; i < 500; ++i)
   {
@@ -85,7 +85,7 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
   }
   for (double v : { -1e-5, 0.0, 1.0, 1.0 + 1e-5 })
   {
-    // A vertex of the mesh, which lies on the cylinder.
+    // A position at vertices of the mesh, which lie on the exact cylinder, or slightly past them.
     const Vector x = scale.Center + scale.Size * OnCylinder(2.0 / columns, v);
     check.That(surface->IsOn(x.data()) == (v == 0.0 || v == 1.0), "the ends");
   }
@@ -157,7 +157,8 @@ void CheckPeriodicV(Check& check)
   CheckRoundTrip(surface, SurfaceScale(), 300, "periodic v", check);
 }
 
-// The same plane as a strip, as polygons (one of them concave) and as triangles.
+// A rectangle as a triangle strip, as polygons (one of them concave), and as quadrilaterals with
+// opposite orientations.
 void CheckCells(Check& check)
 {
   check.SetContext("cells");

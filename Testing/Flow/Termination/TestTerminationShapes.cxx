@@ -52,7 +52,7 @@ void CheckPlane(const SurfaceScale& scale, Check& check)
   const Vector normal = 1.0 / GetNorm(cross) * cross;
   const auto distance = [&normal, &origin](const Vector& x) { return Dot(normal, x - origin); };
   CheckAll(plane, scale, distance, "plane", check);
-  // Points inside and outside the rectangle, close to its boundary edges and above it.
+  // Points at the boundary edges of the rectangle and slightly outside, in its plane and above it.
   for (double side : { -1e-6, 0.0, 1.0, 1.0 + 1e-6 })
   {
     for (double height : { 0.0, 0.01 })
@@ -97,7 +97,7 @@ void CheckSphere(const SurfaceScale& scale, Check& check)
       sphere, scale,
       [&scale](const Vector& x) { return GetNorm(x - scale.Center) - 0.7 * scale.Size; }, "sphere",
       check);
-    // The poles, and u counterclockwise around the axis.
+    // Checks the poles, and that u increases counterclockwise around the axis.
     const double reach = 0.7 * scale.Size / GetNorm(axis);
     for (double v : { 0.0, 1.0 })
     {
@@ -113,8 +113,8 @@ void CheckSphere(const SurfaceScale& scale, Check& check)
   }
 }
 
-// Checks the seam of u of part 0: u is close to 0 and 1 on its sides, and u = 0 and u = 1 are the
-// same position.
+// Checks the seam of u on part 0: u is close to 0 on one side and close to 1 on the other, and
+// u = 0 and u = 1 yield the same position.
 void CheckSeam(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::string& name, Check& check)
 {
@@ -197,7 +197,7 @@ void CheckCylinder(const SurfaceScale& scale, Check& check)
   {
     check.Near(GetNorm(PointOf(cylinder, 1 + cap, 0.5, 0.5) - caps[cap]), 0.0, 2.0 * scale.Rounding,
       "capped cylinder: center of a cap", scale.Size);
-    // The angle in a cap's disk equals the angle on the wall: (0.5, 1) is a quarter of a rotation.
+    // The parameters (0.5, 1) of a cap and u = 0.25 of the wall are both a quarter of a rotation.
     const Vector edge = PointOf(cylinder, 0, 0.25, cap);
     check.Near(GetNorm(PointOf(cylinder, 1 + cap, 0.5, 1.0) - edge), 0.0, 2.0 * scale.Rounding,
       "capped cylinder: a quarter of a rotation", scale.Size);

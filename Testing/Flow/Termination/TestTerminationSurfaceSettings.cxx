@@ -103,7 +103,7 @@ void CheckMessages(Check& check)
   CheckMessage(box, "lower bound of x is not below its upper", check);
 }
 
-// The results before the first Update equal the results after it.
+// Results with default settings are the same before and after the first Update.
 void CheckDefaults(vtkTerminationSurface* surface, Check& check)
 {
   check.SetContext(surface->GetClassName());

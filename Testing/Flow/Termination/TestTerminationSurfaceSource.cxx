@@ -40,7 +40,7 @@ Vector PointOf(vtkPolyData* data, vtkIdType id)
   return x;
 }
 
-// Checks the area of every part, and points, parameters and normals.
+// Checks the area of each part, and the points, parameters and normals of all triangles.
 void CheckSurface(vtkTerminationSurface* surface, int resolution,
   const std::map<int, double>& areas, double tolerance, const std::string& name, Check& check)
 {
@@ -87,7 +87,7 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
       mean += normal;
     }
     const Vector cross = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-    // Tiny triangles at a boundary may lie in the boundary's plane.
+    // A tiny triangle with all corners on the boundary of a part may have another orientation.
     check.That(GetNorm(cross) < 1e-6 || Dot(cross, mean) > 0.9 * GetNorm(cross) * GetNorm(mean),
       "triangles and normals have the same orientation");
     found[id] += 0.5 * GetNorm(cross);
@@ -139,7 +139,7 @@ void CheckShapes(Check& check)
   tube->CappedOn();
   const double half = 2.0 * Pi * 0.25;
   CheckSurface(tube, 40, { { 0, 2.0 * Pi }, { 1, half }, { 2, half } }, 0.005, "tube", check);
-  // A mesh of a disk with a diamond as texture.
+  // A mesh whose texture coordinates form a diamond.
   TexturedMesh diamond;
   diamond.Points = { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { 0, -1, 0 } } };
   diamond.Texture = { { { 1.0, 0.5 } }, { { 0.5, 1.0 } }, { { 0.0, 0.5 } }, { { 0.5, 0.0 } } };
@@ -187,7 +187,8 @@ void CheckReport(Check& check)
   check.Equal(report->GetCount("Triangles"), 2 * 32 * 31, "triangles of a sphere");
   check.Equal(report->GetCount("FlatTriangles"), 2 * 32, "degenerate triangles at two poles");
   CheckPrinted(Print(source), { "Report:", "  Parts: 1", "  FlatTriangles: 64" }, check);
-  // The diamond |2 u - 1| + |2 v - 1| <= 1 as texture. No node of an odd grid lies on its boundary.
+  // A mesh whose texture coordinates form the diamond |2 u - 1| + |2 v - 1| <= 1. With an odd
+  // resolution, no grid point lies on the boundary of the diamond.
   TexturedMesh diamond;
   diamond.Points = { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { 0, -1, 0 } } };
   diamond.Texture = { { { 1.0, 0.5 } }, { { 0.5, 1.0 } }, { { 0.0, 0.5 } }, { { 0.5, 0.0 } } };

@@ -69,7 +69,7 @@ void SetPoints(vtkTerminationTube* tube, const std::vector<Vector>& line)
   }
 }
 
-// Walks along the tube in small steps of parameters and of positions. Both are continuous.
+// Checks that positions are continuous along v, and that parameters are continuous on the surface.
 void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double radius,
   const std::string& name, Check& check)
 {
@@ -139,7 +139,7 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
     check.Equal(tube->GetNumberOfParts(), 1, "a closed tube has no ends");
     return;
   }
-  // Points slightly before and past each end.
+  // Points slightly inside and outside each end.
   for (int end = 0; end < 2; ++end)
   {
     const Vector& tip = end ? line.back() : line.front();
@@ -211,7 +211,7 @@ void CheckStraight(Check& check)
   }
 }
 
-// The same tube from a dataset.
+// A tube from the line of a dataset equals a tube from the same points.
 void CheckData(Check& check)
 {
   check.SetContext("dataset");

@@ -29,7 +29,7 @@ namespace
 using namespace reference;
 using Type = vtkFlowCriticalPoints;
 
-// Returns a cell of a type with points displaced by up to \a shake.
+// Returns a cell of the given type, with points displaced by up to \a shake.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCell(int type, double shake, Random& random)
 {
   const std::vector<FlowVector> box = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
@@ -72,7 +72,8 @@ double GetExcess(int type, const double p[3])
   return type == VTK_TETRA ? std::max(excess, p[0] + p[1] + p[2] - 1.0) : excess;
 }
 
-// Newton's method with VTK's shape functions from a grid of start points.
+// Finds the zeros in a cell by Newton's method from a grid of start points, with VTK's shape
+// functions. Sets \a isClear to false if a zero is ambiguous.
 std::vector<FlowVector> SearchZeros(vtkCell* cell, vtkDataArray* vectors, bool& isClear)
 {
   std::vector<FlowVector> zeros;
@@ -129,7 +130,7 @@ std::vector<FlowVector> SearchZeros(vtkCell* cell, vtkDataArray* vectors, bool& 
     {
       continue;
     }
-    // Zeros on the cell boundary and multiple zeros are ambiguous.
+    // A zero on the cell boundary is ambiguous.
     isClear = isClear && std::abs(GetExcess(cell->GetCellType(), p)) > 1e-7;
     const auto isSame = [&p](const FlowVector& other) { return Distance(other.data(), p) < 1e-6; };
     if (GetExcess(cell->GetCellType(), p) < 0.0 && std::none_of(zeros.begin(), zeros.end(), isSame))
@@ -344,8 +345,8 @@ void CheckIndices(Check& check)
   }
 }
 
-// CellLength is the cube root of the cell volume: cells that divide a unit box, inverted cells, and
-// frusta.
+// CellLength is the cube root of the cell volume, for cells that divide unit boxes, inverted cells,
+// and frusta.
 void CheckLengths(Check& check)
 {
   const std::pair<MeshKind, double> volumes[] = { { MeshKind::Hexahedra, 1.0 },

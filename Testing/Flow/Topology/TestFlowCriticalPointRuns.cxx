@@ -92,7 +92,8 @@ void CheckLeftOut(Check& check)
   }
   check.SetContext("an empty cell");
   mesh = make();
-  // The zero is in the last cell, whose points may still be cached.
+  // The zero is in the last cell before an empty cell. It must not be found again in the empty
+  // cell, with cached points of the previous cell.
   SetVelocity(mesh, LinearField(GenericMatrix, { { 2.3, 3.4, 1.6 } }));
   mesh->InsertNextCell(VTK_EMPTY_CELL, 0, &corner);
   check.Equal(CriticalPoints(mesh).GetNumber(), 1, "critical points");

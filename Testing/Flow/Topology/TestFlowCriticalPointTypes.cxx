@@ -30,7 +30,7 @@ using Type = vtkFlowCriticalPoints;
 
 using Eigenvalues = std::vector<std::complex<double>>;
 
-// Returns a matrix with the given eigenvalues and skewed eigenvectors.
+// Returns a matrix with the given eigenvalues and non-orthogonal eigenvectors.
 FlowMatrix MakeMatrix(const Eigenvalues& values)
 {
   const double axes[3][3] = { { 0.8, 0.3, -0.2 }, { -0.4, 1.1, 0.3 }, { 0.25, -0.3, 0.9 } };
@@ -135,7 +135,7 @@ void CheckTypes(Check& check)
     }
   }
 
-  // Axes with units of very different scales.
+  // The axes have units of very different scales.
   check.SetContext("units");
   const double units[3] = { 1e6, 1.0, 1e-6 };
   const FlowMatrix spiral = MakeMatrix({ 0.2, { -1.0, 5.0 }, { -1.0, -5.0 } });

@@ -74,7 +74,8 @@ void CheckLinear(
     check.That(
       isInside == 1 || distance2 < 1e-16 * scale * scale || IsInVoxel(data->GetCell(cell), point),
       "the zero lies in its cell");
-    // VTK treats positions slightly outside a cell as inside.
+    // No cell with a lower id contains the zero. Voxels are not checked, because VTK's function
+    // fails for rotated voxels.
     for (vtkIdType lower = 0; lower < cell; ++lower)
     {
       const int isThere =

@@ -59,7 +59,7 @@ vtkSmartPointer<vtkImageData> MakeCube(int cells)
   return image;
 }
 
-// Returns a filter that may have an empty result.
+// Returns a filter whose warnings about an empty result are ignored.
 vtkSmartPointer<vtkVortexAxis> MakeFilter()
 {
   auto filter = vtkSmartPointer<vtkVortexAxis>::New();
@@ -74,7 +74,7 @@ vtkPolyData* Run(vtkVortexAxis* filter, vtkDataSet* data)
   return filter->GetOutput();
 }
 
-// Returns the maximum in-plane distance from a curve.
+// Returns the maximum in-plane distance of the output's points from a curve.
 double GetError(vtkPolyData* output, const Curve& curve)
 {
   double largest = 0.0;
@@ -351,8 +351,8 @@ void CheckOrder(Check& check)
     return FlowVector{ { 0.1 * z + 0.1 * bend, 0.05 * z - 0.05 * bend, 0.0 } };
   };
   check.Near(GetError(output, eye), 0.0, 0.003, "distance from the eye", 1.0);
-  // The sinking air in the eye flows along the tilted axis. The total velocity is 0 slightly off
-  // the axis.
+  // The sinking air in the eye flows along the tilted axis, so that the in-plane velocity is 0
+  // slightly off the axis.
   source->SetUpdraft(0.3);
   source->Update();
   output = Run(filter, source->GetOutput());
@@ -453,7 +453,7 @@ void CheckBreaks(Check& check)
   output = Run(filter, image);
   check.Equal(output->GetNumberOfPoints(), 13, "points below the change of rotation");
 
-  // An axis with a lateral jump beyond the search radius.
+  // An axis with a lateral jump, with search radii below and above the size of the jump.
   check.SetContext("a jump");
   const Curve jump = [](double z) { return FlowVector{ { z < 0.05 ? -0.4 : 0.5, 0.01, 0.0 } }; };
   SetVelocity(

@@ -108,8 +108,8 @@ void TestVolumes(Check& check)
   }
 }
 
-/// Cells that only a termination surface passes through are not refined. Cells at the boundary of a
-/// wake are refined.
+/// Cells crossed only by a termination surface are not refined. Cells at the boundary of the wake
+/// of a sphere are refined.
 void TestRefinement(Check& check)
 {
   check.SetContext("refinement");
@@ -129,9 +129,9 @@ void TestRefinement(Check& check)
     refined > 50 && refined < 200, "cells at the boundary of the wake: " + std::to_string(refined));
 }
 
-/// Parameters and times up to a plane in oblique flow, with intervals of Inflow and a time range.
-/// Tetrahedra match at faces, including those between cut cells and other cells, and end at the
-/// plane.
+/// In oblique flow, parameters and times are correct up to the plane, with intervals of Inflow and
+/// a time range. Tetrahedra match at faces, including those between cut cells and other cells, and
+/// end at the plane.
 void TestOblique(Check& check)
 {
   check.SetContext("oblique");
@@ -191,7 +191,7 @@ void TestOblique(Check& check)
       range[1] = std::max(range[1], x[0]);
       const double time = x[0] - position;
       check.Near(data->GetArray("AdvectionTime")->GetComponent(p, 0), time, 1e-6, "time", 1.0);
-      // Near the sides of the domain, streamlines leave before they return to the plane.
+      // Near the sides of the domain, streamlines leave the domain before they reach the plane.
       if (std::max(std::abs(x[1]), std::abs(x[2])) < 0.8)
       {
         check.Near(data->GetArray("TerminationUV")->GetComponent(p, 0),
@@ -213,7 +213,8 @@ void TestOblique(Check& check)
     const auto position3 = [&](int axis)
     { return [mesh, axis](vtkIdType p) { return mesh->GetPoint(p)[axis]; }; };
     const auto inflow = [&](vtkIdType p) { return data->GetArray("Inflow")->GetComponent(p, 0); };
-    // The boundary of the streamlines that leave through the sides follows the layers of samples.
+    // Cells whose streamlines leave through the sides are omitted, so that faces between layers of
+    // samples may be boundaries.
     const auto layer = [&](vtkIdType p)
     { return std::remainder(mesh->GetPoint(p)[2] + 1.0, 2.0 / 11.0); };
     const auto layerY = [&](vtkIdType p)

@@ -147,7 +147,7 @@ void CheckErrors(Check& check)
     { "0.3 to 0.6", "TimeRange: 0.1 to 0.6", "StreamSurfaces: 0.45", "TimeSurfaces: 0.35 0 0.5",
       "CellsOnSeams: 0", "TimePasses: 0" },
     check);
-  // Empty inputs, and lower-dimensional cells.
+  // Inputs that are empty or have only lower-dimensional cells.
   for (int thickness : { 0, 1 })
   {
     auto flat = MakeFlowImage({ { 5, 5, 2 } }, { { -1, 1, -1, 1, 0, 1 } });

@@ -42,7 +42,7 @@ std::vector<Tetrahedron> AllTetrahedra(vtkUnstructuredGrid* grid)
   return tetrahedra;
 }
 
-// Returns a curved field on an image or on tetrahedra.
+// Returns an implicit flow field with curved level sets, on an image or on tetrahedra.
 vtkSmartPointer<vtkDataSet> MakeField(bool isTetrahedral)
 {
   constexpr int cells = 12;
@@ -103,8 +103,8 @@ std::vector<double> Sorted(std::vector<double> values)
   return std::vector<double>(each.begin(), each.end());
 }
 
-// Checks that each triangle is a face of a tetrahedron, occurs once, has the value of its surface,
-// and is oriented toward lower values.
+// Checks that each triangle of \a surface is a face of a tetrahedron of \a mesh, occurs once, has
+// the value of its id, and is oriented toward lower values.
 void CheckSurface(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface, const char* function,
   const char* idArray, const std::vector<double>& values, bool hasFlatCells, Check& check)
 {
@@ -195,15 +195,14 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
     Set(volume, levels);
     volume->Update();
     vtkUnstructuredGrid* mesh = volume->GetOutput();
-    // Faces have at most two tetrahedra, on opposite sides. Degenerate cells may remain at values
-    // equal to bounds, and where a thin interval is curved inside a cell. They have no face
-    // neighbors.
+    // A face belongs to at most two tetrahedra, on opposite sides. Degenerate cells without face
+    // neighbors may remain if values equal bounds, or if a thin interval is curved inside a cell.
     for (const FaceUse& face : CountUses(FacesOf(AllTetrahedra(mesh))))
     {
       check.That(
         face.Total() <= 2 && (hasFlatCells || face.Net() == 0 || face.Total() == 1), "faces match");
     }
-    // Values in a cell are within the intervals that its ids denote.
+    // The values in a cell are in the intervals given by its ids.
     const std::vector<double> times = [&]()
     {
       std::vector<double> all = levels.TimeSurfaces;
@@ -242,7 +241,7 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
                    [&](double value) { return value > lowest + 1e-12 && value < highest - 1e-12; }),
         "no cell on both sides of a stream surface");
     }
-    // Volumes of time intervals add up to the volume without time surfaces.
+    // The volumes of the time intervals add up to the volume without time surfaces.
     vtkNew<vtkFlowVolume> full;
     full->SetInputConnection(mapping->GetOutputPort());
     full->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -259,7 +258,8 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
       sum += MeasureVolume(mesh, "TimeIntervalId", static_cast<int>(i));
     }
     check.Near(sum, MeasureVolume(mesh), 1e-12, "sum of time intervals");
-    // Areas of the stream surfaces of all time intervals add up to the area of the full surfaces.
+    // The areas of the stream surfaces before, in and after the time range add up to the area
+    // without a time range.
     const double clipped = MeasureArea(volume->GetOutput(1));
     volume->SetTimeRange(0.0, levels.Start);
     volume->Update();
@@ -284,7 +284,7 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
   }
 }
 
-// Normals compared with gradients of known functions.
+// Compares normals with gradients of known functions.
 void CheckNormals(Check& check)
 {
   check.SetContext("normals");
@@ -314,7 +314,7 @@ void CheckNormals(Check& check)
         surface->GetPoint(p, x);
         surface->GetPointData()->GetNormals()->GetTuple(p, n);
         const double flat = std::hypot(x[0], x[1]);
-        // Time increases outward, -v increases toward the pole.
+        // Time increases outward. -v increases toward the pole v = 0.
         double expected[3] = { -x[0], -x[1], -x[2] };
         if (port == 1)
         {
@@ -344,7 +344,7 @@ int TestFlowVolumeMesh(int, char*[])
     CheckLevels({ { { { 0.25, 0.5 } }, { { 0.5, 0.75 } }, { { 0.875, 1.0 } } },
                   { 0.625, 0.375, 0.8 }, 0.25, 1.1, { 0.75 } },
       isTetrahedral, grid + "several intervals", check);
-    // Thinner than a cell: the interval contains no grid point.
+    // An interval thinner than a cell, which contains no grid point.
     CheckLevels({ { { { 0.4, 0.402 } } }, { 0.401 }, 0.3, 0.9, { 0.5 } }, isTetrahedral,
       grid + "a thin interval", check);
   }

@@ -134,8 +134,8 @@ private:
   std::vector<bool> IsHidden;
 };
 
-/// Returns the volume, with x from \a low to \a high, from which lines reach the plane. Uses one
-/// random position in each of many boxes.
+/// Returns the volume of all positions with x from \a low to \a high from which lines reach the
+/// plane. Uses one random position in each of many boxes.
 double MeasureLines(const Case& one, double low = -1.0, double high = 1.0)
 {
   const Obstacle obstacle(one);
@@ -228,8 +228,8 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractTubes(vtkDataSet* samples)
   return volume->GetOutput();
 }
 
-/// Returns the volume of tetrahedra. Checks that each face has at most two tetrahedra, on opposite
-/// sides.
+/// Returns the volume of a mesh. Checks that each face belongs to at most two tetrahedra, on
+/// opposite sides.
 double Measure(vtkUnstructuredGrid* mesh, Check& check)
 {
   const TetrahedraReport report = Inspect(mesh);
@@ -273,8 +273,7 @@ void TestVolumes(Check& check)
   }
 }
 
-/// The front of an obstacle is in the layer of cells next to the cells that the plane passes
-/// through.
+/// The front of the obstacle is in the layer of cells next to the layer that contains the plane.
 void TestAtPlane(Check& check)
 {
   check.SetContext("an obstacle at the plane");
@@ -291,9 +290,9 @@ void TestAtPlane(Check& check)
   check.Near(found, exact, 0.02, "volume");
 }
 
-/// Values in cut cells are exact because the field is linear, with and without intervals. Close to
-/// the boundary the error is up to the final width of the bisection, a 64th of a cell, and slightly
-/// more if the distances of a cell's points are inconsistent.
+/// In uniform flow, values in cut cells are exact, except close to the boundary of the region that
+/// reaches the plane. There, the error in time is up to a 64th of a cell, the final width of the
+/// bisection. The error in Inflow is up to a tenth of a cell.
 void TestValues(Check& check)
 {
   check.SetContext("values");
@@ -312,7 +311,7 @@ void TestValues(Check& check)
     const double inflow = x[1] - one.Direction[1] * time;
     largest[0] =
       std::max(largest[0], std::abs(data->GetArray("AdvectionTime")->GetComponent(p, 0) - time));
-    // On the plane, values come from a point where streamlines leave the field.
+    // On the plane, values may come from samples upstream, whose streamlines leave the field.
     if (time > 0.0)
     {
       largest[1] =
@@ -323,7 +322,7 @@ void TestValues(Check& check)
   check.Near(largest[1], 0.0, 0.1 * cell, "inflow", 1.0);
 }
 
-/// Without an obstacle, no boundary is located, and the cuts are unchanged.
+/// Without an obstacle, no boundary of the reached region is located.
 void TestWithout(Check& check)
 {
   check.SetContext("without an obstacle");

@@ -19,7 +19,7 @@ namespace
 
 using namespace reference;
 
-// Cost of an update: preparations, passes for Inflow and time, cuts, and normals.
+// Expected cost of an update: how often each stage runs.
 struct Costs
 {
   int Preparations;

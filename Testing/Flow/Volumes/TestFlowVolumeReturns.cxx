@@ -62,7 +62,7 @@ vtkSmartPointer<vtkTerminationPlane> MakePlane(
   return plane;
 }
 
-/// The half-plane y = 0, x > 0 with normal along y.
+/// Returns the half-plane y = 0, x > 0 with normal along y.
 vtkSmartPointer<vtkTerminationPlane> MakeHalfPlane()
 {
   return MakePlane(0, 0, -1, { { 0, 0, 3 } }, { { 3, 0, 0 } });
@@ -78,7 +78,8 @@ int GetSide(vtkDataSet* data, vtkIdType id)
   return static_cast<int>(data->GetPointData()->GetArray("TerminationSide")->GetComponent(id, 0));
 }
 
-/// Counts cells whose points all reached one id and for which \a isOmitted(points) is true.
+/// Counts cells whose points all have the same TerminationId and for which \a isOmitted(points) is
+/// true.
 vtkIdType CountCells(
   vtkDataSet* data, const std::function<bool(const std::vector<Vector>&)>& isOmitted)
 {
@@ -106,7 +107,7 @@ vtkIdType CountCells(
   return count;
 }
 
-/// Counts tetrahedra with points on both sides of the zero of a function.
+/// Counts tetrahedra with points on both sides of the zero level set of a function.
 vtkIdType CountAcross(
   vtkUnstructuredGrid* mesh, const std::function<double(const double*)>& function, double tolerance)
 {
@@ -128,7 +129,7 @@ vtkIdType CountAcross(
   return count;
 }
 
-/// Returns the signed distance from the half-plane, or 0 outside its boundary edge.
+/// Returns the signed distance from the half-plane, or 0 past its edge x = 0.
 double GetHalfPlane(const double* x)
 {
   return x[0] > 0.0 ? x[1] : 0.0;
@@ -253,7 +254,7 @@ void TestRotation(Check& check)
       check.Equal(
         volume->GetReport()->GetCount("CellsAcrossSurfaces"), 0, "no cells across the surface");
       check.That(volume->GetOutput()->GetNumberOfCells() > before, "more cells");
-      // The limit on time jumps skips some or all of these cells instead.
+      // With a limit on time jumps, some or all of these cells are skipped instead.
       volume->SetMaximumTimeJump(0.9 * FullTurn);
       volume->Update();
       const vtkIdType jumps = volume->GetReport()->GetNumber("CellsWithTimeJumps");
@@ -302,7 +303,7 @@ void TestMesh(Check& check)
   }
 }
 
-/// Samples between two surfaces with one id have the side of the closer surface. Cells in the
+/// Samples between two surfaces with the same id have the side of the closer surface. Cells in the
 /// middle, where the side changes, remain.
 void TestOneId(Check& check)
 {
@@ -320,7 +321,8 @@ void TestOneId(Check& check)
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(field->GetOutputPort());
   volume->Update();
-  // One layer of cells at the second surface. No surface is reached before the first.
+  // Only one layer of cells, at the second surface, is counted. Samples upstream of the first
+  // surface reach no surface.
   check.Equal(volume->GetReport()->GetCount("CellsAcrossSurfaces"), 39 * 2, "cells");
   // The tolerance allows for single-precision points.
   check.Equal(CountAcross(
@@ -331,7 +333,7 @@ void TestOneId(Check& check)
     "the center has cells");
 }
 
-/// Times jump where flow leaves a closed surface that it has crossed.
+/// In uniform flow through a sphere, the time jumps at the side where the flow leaves the sphere.
 void TestSphere(Check& check)
 {
   check.SetContext("sphere");
@@ -359,7 +361,7 @@ void TestSphere(Check& check)
   check.Equal(
     volume->GetReport()->GetCount("CellsAcrossSurfaces"), expected, "cells across the surface");
   check.That(expected > 200, "some cells are across the surface");
-  // Cut edges are accurate to fourth order, for cells of width 0.07.
+  // The tolerance allows for the fourth-order error of cut edges in cells of width 0.07.
   check.Equal(CountAcross(volume->GetOutput(), distance, 1e-4), 0, "no cell crosses");
   for (vtkIdType id = 0; id < samples->GetNumberOfPoints(); ++id)
   {

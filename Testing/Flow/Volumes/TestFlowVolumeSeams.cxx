@@ -71,7 +71,7 @@ void CheckSaddle(int points, Check& check)
     double x[3];
     mesh->GetPoint(p, x);
     const double expected = x[0] * std::abs(x[1]) + (x[1] > 0.0 ? 0.0 : 5.0);
-    // x y is linear along grid edges.
+    // The product x y is linear along grid edges.
     check.Near(inflow->GetComponent(p, 0), expected, 1e-12, "Inflow of a point", 1.0);
     check.Equal(static_cast<int>(ids->GetComponent(p, 0)), x[1] > 0.0 ? 0 : 1, "id of a point");
     check.That(std::abs(x[1]) >= gap - 1e-12, "no point between the two sides");
@@ -284,8 +284,8 @@ void CheckCylinder(Check& check)
     GetLargestSpread(volume->GetOutput(), "Inflow", 0) < 0.3, "no cell spans the discontinuity");
 }
 
-// Both directions are periodic. Some cells lie across one seam, some across the other, some across
-// both.
+// Both u and v are periodic. Some cells lie across the seam of u, some across the seam of v, and
+// some across both.
 void CheckTorus(Check& check)
 {
   check.SetContext("torus");
@@ -323,7 +323,7 @@ void CheckTorus(Check& check)
     }
     check.That(GetLargestSpread(mesh, "TerminationUV", 0) < 0.2, "u is unwrapped");
     check.That(GetLargestSpread(mesh, "TerminationUV", 1) < 0.2, "v is unwrapped");
-    // In each direction, the parameter crosses 1 in one row of cells.
+    // Each parameter crosses 1 in one layer of cells.
     check.Equal(
       volume->GetReport()->GetCount("CellsAcrossSeams"), 3 * (14 + 16 - 1), "cells across seams");
     check.That(volume->GetReport()->GetNumber("PointsOnSeams") > 0, "points are added");
@@ -353,7 +353,7 @@ void CheckThreshold(Check& check)
   }
 }
 
-// Polyhedra on seams are omitted for any mapping. Other polyhedra are handled like other cells.
+// Polyhedra on seams are omitted with any mapping. Other polyhedra are handled like other cells.
 void CheckPolyhedra(Check& check)
 {
   check.SetContext("polyhedra");

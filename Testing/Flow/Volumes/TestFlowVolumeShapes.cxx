@@ -23,7 +23,7 @@ using namespace reference;
 
 const double Pi = vtkMath::Pi();
 
-// A field, a mapping and a flow volume.
+// A pipeline of a mapping and a flow volume.
 struct Pipeline
 {
   vtkNew<vtkInflowMapping> Mapping;
@@ -46,8 +46,8 @@ struct Pipeline
   }
 };
 
-// Checks the error of \a measure at two resolutions: at most \a bound, and four times smaller at
-// the second.
+// Checks that the relative error of \a measure is at most \a bound, and about four times smaller
+// at twice the resolution.
 void CheckOrder(const std::function<double(int)>& measure, int resolution, double expected,
   double bound, const std::string& what, Check& check)
 {
@@ -67,8 +67,7 @@ vtkSmartPointer<vtkImageData> MakeUniform(int points)
   return image;
 }
 
-// The cylinder of streamlines through a circle, between the times 0.4 and 1.5, which extends from x
-// = 0.2 to 0.75.
+// The cylinder of streamlines through a circle. The times 0.4 to 1.5 correspond to x = 0.2 to 0.75.
 void CheckUniform(Check& check)
 {
   check.SetContext("uniform flow");
@@ -94,7 +93,7 @@ void CheckUniform(Check& check)
   auto full = make(24);
   full->Volume->SetTimeRange(0.0, VTK_DOUBLE_MAX);
   check.Near(MeasureVolume(full->Update()), Pi * radius * radius, 0.01, "full length");
-  // The volume grows with the time range.
+  // The volume is proportional to the length of the time range.
   const double perTime = MeasureVolume(full->Update()) * 0.5;
   for (int step = 1; step <= 5; ++step)
   {
@@ -153,7 +152,7 @@ void CheckSphere(Check& check)
     2.0 * Pi * cap * 0.49, 0.02, "time surface", check);
   CheckOrder([&](int n) { return MeasureArea(make(n)->Update(1), "StreamSurfaceId", 0); }, 22,
     Pi * std::sin(0.3 * Pi) * (0.81 - 0.16), 0.02, "cone", check);
-  // A shell without a mapping.
+  // A full spherical shell, without a mapping.
   auto image = MakeFlowImage({ { 44, 44, 44 } }, { { -1, 1, -1, 1, -1, 1 } });
   AddFlow(image, SphereFlow(0.2), { { { 0, 1, 0 } } });
   vtkNew<vtkFlowVolume> shell;

@@ -36,7 +36,7 @@ using namespace reference;
 constexpr double Radius = 0.43;
 constexpr Vector Center{ { -0.31, 0.02, -0.03 } };
 constexpr int FieldPoints = 33;
-/// Distance from the axis at the termination plane.
+/// Formula of the distance from the axis where a streamline reaches the termination plane.
 constexpr const char* AxisDistance = "sqrt((10*u-5-0.02)^2+(10*v-5+0.03)^2)";
 
 /// Flow along x with speed 1, deflected by a sphere.
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeSampleBoxes(int boxes)
   return positions;
 }
 
-/// Returns the samples of a filter, with the distance from the axis as Inflow.
+/// Returns the output samples of \a field, with the distance from the axis as Inflow.
 vtkSmartPointer<vtkDataSet> MapSamples(vtkImplicitFlowField* field)
 {
   field->SetInputData(MakeField());
@@ -95,7 +95,7 @@ vtkSmartPointer<vtkDataSet> MapSamples(vtkImplicitFlowField* field)
 
 using Tube = std::array<double, 2>;
 
-/// Random positions. The fraction of them inside a tube yields the tube's volume.
+/// Measures the volume of a tube by the fraction of random positions that are inside it.
 class SampleBoxes
 {
 public:

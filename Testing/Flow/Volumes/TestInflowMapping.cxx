@@ -33,7 +33,7 @@ using namespace reference;
 
 const double TwoPi = 2.0 * vtkMath::Pi();
 
-// Samples with x above 0 reach a surface. The id alternates along a row.
+// Samples with z >= 0 reach a surface. The surface id changes from 0 to 7 and back along x.
 vtkSmartPointer<vtkImageData> MakeSamples()
 {
   auto image = MakeFlowImage({ { 13, 9, 5 } }, { { -0.2, 1.2, -0.1, 1.3, -1.0, 2.0 } });
@@ -151,7 +151,7 @@ vtkSmartPointer<vtkImageData> MakeTexture(const std::array<int, 3>& size, int co
   return image;
 }
 
-// Bilinear interpolation with four weights.
+// Bilinear interpolation of the value or the luminance at (u, v).
 double Bilinear(vtkImageData* image, int nu, int nv, double u, double v)
 {
   const double x = std::max(0.0, std::min(u, 1.0)) * (nu - 1);
@@ -206,8 +206,8 @@ void CheckImages(Check& check)
   check.Near(mapping->Evaluate(3, 1.0, 0.0), 5.0, 1e-15, "after");
 }
 
-// Returns InflowPeriodic of id 0 for an input in which \a isPeriodic specifies whether u and v are
-// periodic.
+// Returns InflowPeriodic of the surface with id 0. \a isPeriodic specifies whether u and v of the
+// input are periodic.
 std::array<int, 2> GetPeriodic(vtkInflowMapping* mapping, std::array<int, 2> isPeriodic)
 {
   auto image = MakeFlowImage({ { 2, 2, 2 } }, { { 0, 1, 0, 1, 0, 1 } });
@@ -357,7 +357,7 @@ void CheckRuns(Check& check)
 int TestInflowMapping(int, char*[])
 {
   Check check;
-  // With the sequential backend, one range contains samples with several ids.
+  // With the sequential backend, a single SMP range contains samples of several surfaces.
   vtkSMPTools::SetBackend("Sequential");
   CheckFormulas(check);
   CheckRings(check);

@@ -107,7 +107,7 @@ vtkSmartPointer<vtkImageData> MakeCylinderFlow(int points = 30)
   return image;
 }
 
-// A corner of a triangle, with its texture coordinates, contour, input point and position.
+// A corner of a triangle with its texture coordinates, contour id, input point id and position.
 struct Corner
 {
   double S;
@@ -139,8 +139,8 @@ void ForEachTriangle(vtkPolyData* output, const std::function<void(const Corner*
   }
 }
 
-// Checks triangles: their extent in s is limited, their corners belong to one contour, t is the
-// time, and points and arrays of the input are unchanged.
+// Checks that the extent of triangles in s is at most \a longest, that their corners belong to one
+// contour, that t is the advection time, and that the points of the input are unchanged.
 void CheckTriangles(Pipeline& pipeline, double longest, Check& check)
 {
   vtkPolyData* output = pipeline.Update();
@@ -181,7 +181,7 @@ void CheckTriangles(Pipeline& pipeline, double longest, Check& check)
   }
 }
 
-// s of a circle compared with the angle: s / r minus the angle is constant.
+// Checks s on a circular contour: s / radius minus the angle must be constant.
 void CheckCircle(Pipeline& pipeline, double radius,
   const std::function<double(const double*)>& angle, double sign, double tolerance, Check& check)
 {
@@ -202,7 +202,7 @@ void CheckCircle(Pipeline& pipeline, double radius,
     });
 }
 
-// Half the circumference of an ellipse by Simpson's rule.
+// Circumference of an ellipse with the semi-axes a and b, by Simpson's rule.
 double GetEllipseLength(double a, double b)
 {
   constexpr int steps = 2000;
@@ -219,7 +219,7 @@ double GetEllipseLength(double a, double b)
 void CheckPlane(Check& check)
 {
   vtkNew<Plane> plane;
-  // A rectangle twice as long as wide: the circle in parameter space is an ellipse.
+  // On a rectangle twice as long as wide, a circle in parameter space is an ellipse.
   vtkNew<Plane> longPlane;
   longPlane->SetSize(2.0, 1.0);
   check.SetContext("circle");
@@ -228,7 +228,7 @@ void CheckPlane(Check& check)
   check.Equal(circle.GetNumberOfClosedContours(), 1, "closed contours");
   check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-4, "length");
   CheckTriangles(circle, 0.15, check);
-  // Higher values are outside, which is on the left of a clockwise contour.
+  // Values are higher outside the circle, which is to the left of a clockwise contour.
   const auto angle = [](const double* x) { return std::atan2(x[2] - 0.5, x[1] - 0.5); };
   CheckCircle(circle, 0.3, angle, -1.0, 2e-3, check);
   check.That(
@@ -246,7 +246,7 @@ void CheckPlane(Check& check)
     {
       for (int c = 0; c < 3; ++c)
       {
-        // Rotations clockwise from the top. Duplicate points at the start are one rotation ahead.
+        // Clockwise rotations from the top. At duplicated start points, s is one rotation ahead.
         double rotations = 0.25 - angle(corners[c].X) / (2.0 * Pi);
         rotations -= std::floor(rotations);
         const double found = corners[c].S / circle.GetLength(0);
@@ -317,7 +317,7 @@ void CheckPlane(Check& check)
     });
   check.Equal(static_cast<long long>(met.size()), 2, "both circles have triangles");
 
-  // In the square of the contour grid around the saddle, two branches pass each other.
+  // At the saddle, both branches of the contour cross the same cell of the contour grid.
   for (double value : { 0.0004, -0.0004 })
   {
     check.SetContext("saddle, " + std::to_string(value));
@@ -325,7 +325,7 @@ void CheckPlane(Check& check)
     saddle.Parameters->SetResolution(17);
     check.Equal(saddle.GetNumberOfContours(), 2, "two branches");
     check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "equal lengths");
-    // The contours of the arms: right, top, left, bottom.
+    // Ids of the contours at the arms of the saddle: right, top, left, bottom.
     std::array<std::set<int>, 4> arms;
     ForEachTriangle(saddle.Update(),
       [&](const Corner* corners)
@@ -362,7 +362,7 @@ void CheckCylinder(Check& check)
   check.SetContext("a wave around a cylinder");
   // The wave is steepest at the seam.
   Pipeline wave(MakeCylinderFlow(), "v+0.1*sin(6.283185307179586*u)", { 0.5 }, cylinder);
-  // Length as a function of the angle along the wave.
+  // Arc length of the wave as a function of the angle around the axis.
   std::vector<double> lengths{ 0.0 };
   constexpr int steps = 20000;
   for (int i = 0; i < steps; ++i)
@@ -388,7 +388,7 @@ void CheckCylinder(Check& check)
   check.Equal(across.GetNumberOfClosedContours(), 1, "one closed contour");
   check.Equal(across.GetNumberOfContours(), 1, "no other contour");
   CheckTriangles(across, 0.3, check);
-  // The same wave, rotated away from the seam.
+  // The same contour, rotated away from the seam.
   Pipeline away(MakeCylinderFlow(40),
     "4*(1-cos(6.283185307179586*(u-0.5)))/39.4784176+(v-0.5)^2*0.7", { 0.01 }, cylinder);
   check.Near(across.GetLength(0), away.GetLength(0), 1e-6,
@@ -435,8 +435,8 @@ void CheckParts(Check& check)
     { check.That((corners[0].Contour < 2) == (corners[0].X[0] < 0.0), "contour of the surface"); });
 }
 
-// Returns s, divided by the contour length, for triangles far from the contour. All three corners
-// of a triangle are the same point.
+// Returns s, divided by the contour length, at points far from the contour. Each cell of \a mesh is
+// a degenerate triangle whose corners are the same point.
 std::vector<double> GetFar(vtkUnstructuredGrid* mesh, const FlowResultFunction& flow,
   const FlowSurface& periodic, const char* formula, double value, vtkTerminationSurface* surface,
   const std::array<double, 3>& start)
@@ -465,7 +465,7 @@ std::vector<double> GetFar(vtkUnstructuredGrid* mesh, const FlowResultFunction& 
   return found;
 }
 
-// Points far from their contour: the closest point on a circular contour has the same angle.
+// Tests points far from a circular contour. The closest contour point has the same angle.
 void CheckFar(Check& check)
 {
   check.SetContext("far from the contour");
@@ -489,8 +489,8 @@ void CheckFar(Check& check)
   }
 }
 
-// Points far from a wave around a cylinder, also across the seam: s is that of the closest of many
-// points on the wave.
+// Compares s at points far from a wave around a cylinder, also across the seam, with s at the
+// closest of many points sampled on the wave.
 void CheckFarAround(Check& check)
 {
   check.SetContext("far from a contour around a cylinder");

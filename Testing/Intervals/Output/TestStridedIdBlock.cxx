@@ -30,7 +30,7 @@ using namespace reference;
 using interlume::StridedIdBlock;
 using Id = vtkTypeInt32;
 
-/// Four ids, aligned so that every tetrahedron is a valid start for streaming stores.
+/// Four point ids, aligned so that streaming stores can start at every tetrahedron.
 struct alignas(16) Tetrahedron
 {
   Id Ids[4];
@@ -115,7 +115,7 @@ void CheckPoints(int number, int retained, std::mt19937& random, Check& check)
   }
 }
 
-/// Extracts a slab of a ramp along i. The tetrahedra do not fit in the cache.
+/// Extracts a slab from a ramp along i, with enough tetrahedra to use streaming stores.
 void CheckVolume(Check& check)
 {
   check.SetContext("volume");

@@ -39,7 +39,7 @@ namespace
 
 using namespace reference;
 
-/// A dataset, the scalar array and the values to extract.
+/// A dataset with active scalars, the values to extract, and the scalar change per time step.
 struct Case
 {
   std::string Name;
@@ -50,7 +50,7 @@ struct Case
   double Change;
 };
 
-/// Returns the points \a first to \a last along each axis of a structured dataset.
+/// Reads a dataset. Crops a structured dataset to the points \a first to \a last along each axis.
 vtkSmartPointer<vtkDataSet> ReadPart(
   const std::string& name, const char* array, int first = 0, int last = 0)
 {
@@ -68,8 +68,8 @@ vtkSmartPointer<vtkDataSet> ReadPart(
   return data;
 }
 
-/// Returns part of a volume, converted from bytes to short integers, whose range allows for the
-/// values added per time step.
+/// Returns part of a volume, converted from bytes to short integers so that the values added per
+/// time step do not overflow.
 vtkSmartPointer<vtkDataSet> MakeImage()
 {
   vtkSmartPointer<vtkDataSet> image = ReadPart("neghip.vti", "SLCImage", 20, 32);
@@ -79,7 +79,8 @@ vtkSmartPointer<vtkDataSet> MakeImage()
   return image;
 }
 
-/// Small integers on planes whose spacing decreases, so that bounds equal scalars in many cells.
+/// Returns a grid with decreasing spacing and small integers as scalars, so that interval bounds
+/// equal scalars in many cells.
 vtkSmartPointer<vtkDataSet> MakeRectilinear()
 {
   auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
@@ -100,7 +101,7 @@ vtkSmartPointer<vtkDataSet> MakeRectilinear()
   return grid;
 }
 
-/// Cells of all types including polyhedra, scaled so that coordinates are rounded.
+/// Returns a mesh whose coordinates are not exactly representable. Its scalars are small integers.
 vtkSmartPointer<vtkDataSet> MakeMixed(MeshKind kind)
 {
   const vtkSmartPointer<vtkUnstructuredGrid> mesh = MakeMesh(kind, { { 3, 3, 3 } }, 3);
@@ -191,8 +192,8 @@ std::vector<Extraction> MakeExtractions(const Case& test)
   };
 }
 
-/// Concatenates the numbers of all simplices (coordinates and values). Each simplex is preceded by
-/// its count.
+/// Concatenates the coordinates and values of all simplices. Each simplex is preceded by the number
+/// of its values.
 std::vector<double> Flatten(const std::vector<GeometricSimplex>& set)
 {
   std::vector<double> numbers;
@@ -288,7 +289,7 @@ void TestBalance(Check& check, vtkMultiProcessController* controller, const Extr
   }
 }
 
-/// An error in one process, an abort or an empty piece does not block the other processes.
+/// An error in one process, an abort or an empty piece must not block the other processes.
 void TestBalanceOfFailures(Check& check, vtkMultiProcessController* controller, const Case& test)
 {
   const int ranks = controller->GetNumberOfProcesses();
@@ -355,7 +356,7 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
     check.That(CellsPerProcess(singles[number]).empty(), "no load balance for a single process");
     if (ranks > 1)
     {
-      // Cells that touch a value only in faces between pieces may be counted differently than with
+      // Cells that reach a bound only on a face between pieces may be counted differently than with
       // a single process, hence the tolerance.
       const std::vector<double> cells = CellsPerProcess(pieces[number]);
       check.Near(std::accumulate(cells.begin(), cells.end(), 0.0),

@@ -162,7 +162,7 @@ void CheckTextBounds(Check& check)
   check.That(filter->GetOutput()->GetNumberOfCells() > 0, "the output is not empty");
 }
 
-/// The warning refers to the entire input, not to a block or a piece.
+/// The warning about empty output refers to the entire input, not to a block or a piece.
 void CheckBlocksAndPieces(Check& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -49,7 +49,7 @@ const Type Types[] = { { VTK_CHAR, VTK_FLOAT, 1e-6 }, { VTK_SIGNED_CHAR, VTK_FLO
   { VTK_UNSIGNED_LONG_LONG, VTK_DOUBLE, 1e-14 }, { VTK_ID_TYPE, VTK_DOUBLE, 1e-14 },
   { VTK_FLOAT, VTK_FLOAT, 1e-6 }, { VTK_DOUBLE, VTK_DOUBLE, 1e-14 } };
 
-/// Component \a c of an integer array: a linear function that is an integer at integer points.
+/// Returns component \a c of an array: a linear function with integer values at integer positions.
 double Linear(const double* x, int c)
 {
   return (c + 1) * x[0] + 2 * x[1] + 3 * x[2] + 5 * c;
@@ -164,7 +164,7 @@ void CheckIds(vtkUnstructuredGrid* grid, const char* name, int values, Check& ch
   }
 }
 
-/// Scalars of any type yield the same geometry as the same values in double precision.
+/// Scalars of any type must yield as many tetrahedra as the same values in double precision.
 void CheckScalarTypes(Check& check)
 {
   auto image = MakeInput(1);
@@ -184,8 +184,7 @@ void CheckScalarTypes(Check& check)
   }
 }
 
-/// If the output of one filter is the input of the next, the ids refer to the input of the last
-/// filter.
+/// If filters are chained, IntervalId and ContourId refer to the settings of the last filter.
 void CheckCascade(Check& check)
 {
   auto image = MakeInput(1);
@@ -210,8 +209,8 @@ void CheckCascade(Check& check)
   CheckIds(contour.Surface, "ContourId", 1, check);
 }
 
-/// Global ids and ghost flags are not valid for new points and cells, so they must not be passed as
-/// such.
+/// Global ids and ghost flags of the input do not apply to new points and cells. The output must
+/// have neither global ids nor interpolated ghost flags.
 void CheckRoles(Check& check)
 {
   auto image = MakeInput(1);
@@ -244,7 +243,7 @@ void CheckRoles(Check& check)
   }
 }
 
-/// Unnamed arrays and string arrays, on regular grids and on meshes.
+/// Tests unnamed scalars and string arrays on regular grids and on meshes.
 void CheckOddArrays(Check& check)
 {
   for (const LatticeForm& form : FormsOf(MakeInput(1)))
@@ -302,7 +301,7 @@ void CompareArrays(
   }
 }
 
-/// Returns interval volumes with and without interior cells and a criterion, and a contour.
+/// Returns four interval volumes, with and without interior cells and a criterion, and a contour.
 std::vector<vtkSmartPointer<vtkUnstructuredGrid>> ExtractAll(vtkDataSet* data)
 {
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> all;
@@ -442,7 +441,7 @@ void CheckHugeSteps(Check& check)
   }
 }
 
-/// Field data is passed once to both outputs and to contours.
+/// Field data is passed once to each output.
 void CheckFieldData(Check& check)
 {
   auto image = MakeInput(1);

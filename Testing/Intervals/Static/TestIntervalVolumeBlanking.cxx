@@ -132,7 +132,7 @@ void CheckBlankingCalls(Check& check)
   CheckBlanked(structured, 9, "vtkStructuredGrid, cell and point", check);
 }
 
-/// Returns a hash of all outputs of a grid and the cell counts of the report.
+/// Returns a hash of all outputs for a grid, and the cell counts of the report.
 std::string GetDigest(vtkDataSet* data, double unit, bool usesIndex, bool keepsInterior)
 {
   vtkNew<vtkIntervalVolume> filter;
@@ -209,7 +209,7 @@ void CheckBoxes(Check& check)
       }
       const auto mark = static_cast<unsigned char>(
         draw(2) == 0 ? vtkDataSetAttributes::DUPLICATECELL : vtkDataSetAttributes::HIDDENCELL);
-      // If an interior cell is blanked too, the remaining cells are not a box.
+      // If a cell inside the box is blanked too, the remaining cells do not form a box.
       const bool isHole = number % 7 == 0 && draw(20) == 0;
       marks->SetValue(c, isWithin && !isHole ? 0 : mark);
     }

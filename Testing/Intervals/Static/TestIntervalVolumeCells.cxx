@@ -64,7 +64,7 @@ Run Execute(vtkDataSet* mesh)
   return run;
 }
 
-/// Returns a mesh of one cell with its points at its parametric coordinates.
+/// Returns a mesh of one cell whose points are at the cell's parametric coordinates.
 vtkSmartPointer<vtkUnstructuredGrid> MeshOf(vtkCell* cell)
 {
   MeshBuilder builder;
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MeshOf(vtkCell* cell)
   return mesh;
 }
 
-/// Returns the linear cell with the same corners.
+/// Returns a mesh of the linear cell with the same corners.
 vtkSmartPointer<vtkUnstructuredGrid> CornersOf(vtkUnstructuredGrid* mesh, int type, int corners)
 {
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();

@@ -20,7 +20,7 @@ namespace
 
 using namespace reference;
 
-/// Extracts the first range as the interval and the other ranges as criteria.
+/// Returns the volume extracted with ranges[0] as the interval and the other ranges as criteria.
 double ExtractedVolume(vtkUnstructuredGrid* mesh, const std::vector<Range>& ranges, Check& check)
 {
   vtkNew<vtkIntervalVolume> filter;
@@ -87,7 +87,8 @@ void CheckTetrahedra(MeshKind kind, Check& check)
   }
 }
 
-/// The volumes for disjoint ranges of a criterion add up to the volume without it, for any cells.
+/// For every kind of mesh, the volumes for disjoint ranges of a criterion add up to the volume
+/// without the criterion.
 void CheckSum(MeshKind kind, Check& check)
 {
   check.SetContext(GetName(kind) + ", sum");

@@ -48,7 +48,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractInTime(vtkUnstructuredGrid* block)
   return ExtractTimeVarying(RepeatGrid(block, { 0.0, 1.0 }), { Intervals }).Simplices;
 }
 
-/// Returns the number of point orders for which the common faces differ.
+/// Returns the number of point orders for which the common faces of the two blocks differ.
 int CountDifferent(const Form& form, const IdStorage& ids, const Extract& extract, Check& check)
 {
   int different = 0;

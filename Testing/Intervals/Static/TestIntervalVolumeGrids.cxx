@@ -62,7 +62,7 @@ int TestIntervalVolumeGrids(int, char*[])
     AddIntegerField(data, 4, 1);
     CheckForms(data, { { 0, 1 }, { 1, 2 }, { 2.5, 3 } }, { 1, 1.5, 3 },
       one.Name + ", integer values", check);
-    // Rows whose cells are all inside the interval.
+    // Tests rows of cells that are all inside an interval.
     const double* center = data->GetCenter();
     AddLinearField(
       data, { 0.55 - 0.01 * center[0] - 0.02 * center[1] - 0.2 * center[2], { 0.01, 0.02, 0.2 } });

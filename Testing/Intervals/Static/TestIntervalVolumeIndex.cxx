@@ -142,7 +142,7 @@ void CheckRun(const LatticeForm& form, const char* filterName, Check& check)
   CheckAgainstFresh(retained, form.Data, 0.45, 0.46, check);
 }
 
-/// Different cells with the same points and values are detected.
+/// Modified cells must be detected even if their points and values are the same.
 void CheckOtherCells(Check& check)
 {
   check.SetContext("cells in another order");
@@ -185,7 +185,7 @@ void CheckFlatBlocks(Check& check)
   }
 }
 
-/// Every leaf of a composite input has a separate index.
+/// Every leaf of a composite input has a separate value index.
 void CheckComposite(Check& check)
 {
   check.SetContext("composite");

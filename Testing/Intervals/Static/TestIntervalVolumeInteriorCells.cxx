@@ -86,7 +86,7 @@ vtkIdType CellArray(vtkUnstructuredGrid* grid, const char* name, vtkIdType cell)
   return static_cast<vtkIdType>(grid->GetCellData()->GetArray(name)->GetComponent(cell, 0));
 }
 
-/// Returns the faces of a cell as rings of grid points, all outward or all inward.
+/// Returns the faces of a cell as rings of point ids, either all oriented outward or all inward.
 std::vector<std::vector<vtkIdType>> RingsOf(vtkCell* cell)
 {
   std::vector<std::vector<vtkIdType>> faces;
@@ -103,8 +103,9 @@ std::vector<std::vector<vtkIdType>> RingsOf(vtkCell* cell)
   return faces;
 }
 
-/// The net faces and the volume of each interval of an output. Points are identified by
-/// coordinates, which both outputs share.
+/// The boundary faces and the volume of each interval of an output. Faces shared by two cells of an
+/// interval cancel out. Points are identified by their coordinates, so that two outputs can be
+/// compared.
 class Region
 {
 public:
@@ -430,7 +431,7 @@ void CheckMeshes(Check& check)
   }
 }
 
-/// The interval is wide, so most cells are interior. Criteria cut some of these cells.
+/// Tests wide intervals, which contain most cells entirely. Criteria cut some of these cells.
 void CheckCriteria(Check& check)
 {
   for (MeshKind kind : { MeshKind::Hexahedra, MeshKind::Voxels, MeshKind::Wedges, MeshKind::Mixed,
@@ -566,8 +567,8 @@ void CheckNonPlanarFaces(Check& check)
     "between interior cells");
   check.Near(Run(mesh, { { { 0, 1 }, { 1, 1.5 } }, {} }, true).Report->GetNumber("NonPlanarFaces"),
     0, 0.0, "between cut cells");
-  // The cell on the other side has a tetrahedron at each triangle of the face that contains the
-  // raised point.
+  // In the cut cell, every triangle of the common face that contains the raised point belongs to a
+  // tetrahedron.
   for (int raised = 4; raised < 8; ++raised)
   {
     for (int p = 0; p < 12; ++p)
@@ -580,8 +581,8 @@ void CheckNonPlanarFaces(Check& check)
   }
 }
 
-/// Meshes with nonplanar faces. Faces between interior cells are not counted, faces between an
-/// interior cell and a cut cell are counted.
+/// Tests meshes with nonplanar faces. Faces between interior cells are not counted, but faces
+/// between an interior cell and a cut cell are.
 void CheckNonPlanarMeshes(Check& check)
 {
   std::mt19937 random(5);

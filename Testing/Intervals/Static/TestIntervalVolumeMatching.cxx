@@ -70,8 +70,8 @@ void CheckKind(MeshKind kind, Check& check)
   }
 }
 
-/// A single tetrahedron with the values 1, 1, 1, 0. Its face of value 1 is an upper triangle of [0,
-/// 1] only if another interval begins at 1.
+/// A single tetrahedron with the values 1, 1, 1, 0. Its face of value 1 is an upper boundary
+/// triangle of [0, 1] only if another interval begins at 1.
 void CheckTetrahedron(Check& check)
 {
   check.SetContext("tetrahedron 1 1 1 0");

@@ -47,7 +47,8 @@ void AddSmoothField(vtkUnstructuredGrid* mesh)
   }
 }
 
-/// Expects positive tetrahedra and a volume that does not depend on a reflection of the grid.
+/// Expects that no tetrahedron is inverted and that the total volume equals \a expected, on every
+/// type of grid.
 void CheckReflection(vtkImageData* image, double expected, const std::string& name, Check& check)
 {
   for (const LatticeForm& form : FormsOf(image))
@@ -60,8 +61,8 @@ void CheckReflection(vtkImageData* image, double expected, const std::string& na
   }
 }
 
-/// Negative spacing and direction matrices with reflections do not change the volume and
-/// orientation.
+/// Negative spacing and direction matrices with reflections do not change the volume and the
+/// orientation of tetrahedra.
 void CheckReflections(Check& check)
 {
   const auto original = MakeImage({ 3, 4, 5 });

@@ -46,8 +46,8 @@ void CheckPrint(Check& check)
     { "OutputPointsPrecision", "MergePoints", "UseValueIndex", "6.375", "7.625" }, check);
 }
 
-// The datasets of a composite input share the progress range, with one pass per criterion. An abort
-// stops all of them.
+// The datasets of a composite input share the progress range. Each criterion adds a pass per
+// dataset. An abort stops the remaining datasets.
 void CheckComposite(vtkImageData* image, Check& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

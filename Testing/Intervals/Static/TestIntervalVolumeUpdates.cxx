@@ -45,7 +45,7 @@ Grids CopyOutputs(vtkIntervalVolume* filter)
   return copies;
 }
 
-/// Adds smooth data with noise as 8-bit integers. Many values equal an integer bound.
+/// Adds smooth 8-bit data with noise. Many values equal an integer bound of the interval.
 void AddBytes(vtkDataSet* data, unsigned int seed)
 {
   std::mt19937 generator(seed);
@@ -77,7 +77,7 @@ void AddBytes(vtkDataSet* data, unsigned int seed)
   bytes->Modified();
 }
 
-/// Adds floating-point values in the range of the bytes, some of them not finite.
+/// Adds floating-point values from 0 to 255. A few are not finite.
 void AddNumbers(vtkDataSet* data, unsigned int seed)
 {
   vtkDoubleArray* numbers = AddRandomField(data, seed, "numbers");
@@ -226,7 +226,7 @@ private:
     filter->WarnOnEmptyOutputOff();
   }
 
-  /// Aborts an execution at random progress.
+  /// Aborts an execution at a random progress value.
   void Abort()
   {
     ProgressWatch watch;
@@ -239,7 +239,7 @@ private:
     this->Reusing->Modified();
   }
 
-  /// Holds the outputs for several states, as downstream filters do, and checks that they are
+  /// Holds the outputs for several steps, as a downstream filter may, and checks that they remain
   /// unchanged.
   void Hold()
   {
@@ -307,7 +307,7 @@ void CheckSequence(const LatticeForm& form, unsigned int seed, Check& check)
   check.That(sequence.GetReused() > 0, "memory is reused");
 }
 
-/// Memory statistics of the report.
+/// Checks the memory statistics in the report.
 void CheckCounts(Check& check)
 {
   check.SetContext("counts");
@@ -333,8 +333,8 @@ void CheckCounts(Check& check)
   check.That(filter->GetReport()->GetNumber("IdleBytes") > 0, "working memory is retained");
   const vtkIdType points = filter->GetOutput()->GetNumberOfPoints();
   const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
-  // The output stores connectivity, offsets and interval ids of cells, and coordinates and scalars
-  // of points. There is no list of points.
+  // The output stores four point ids, an offset and an interval id per cell, and coordinates and a
+  // scalar per point.
   const vtkIdType bytes = cells * (16 + 4 + 4) + points * (12 + 8);
   const double reused = update(0.201, 0.5)->GetNumber("ReusedBytes");
   std::cout << static_cast<vtkIdType>(reused) << " of at least " << bytes << " bytes reused, "
@@ -361,7 +361,7 @@ void CheckCounts(Check& check)
   check.Near(update(0.21, 0.5)->GetNumber("IdleBytes"), 0, 0.0,
     "idle bytes after ReuseMemory is turned off");
 
-  // An array outlives the filter and can be reallocated.
+  // An output array outlives the filter and can be resized.
   vtkNew<vtkUnstructuredGrid> last;
   {
     vtkNew<vtkIntervalVolume> gone;

@@ -156,7 +156,7 @@ void CheckFar(Check& check)
     Contains(WarningsOf(pipeline.Filter), "single precision"), "the time-varying filter warns too");
 }
 
-/// Warnings and reports of every filter, for data whose scalars start at 0.
+/// The warnings and reports of several filters.
 struct Warned
 {
   std::vector<std::string> Texts;
@@ -255,7 +255,7 @@ void CheckFolded(Check& check)
   points[6] = { { 0.4, 0.4, 0.4 } };
   ExpectFolded(MakeCell(VTK_HEXAHEDRON, points, { 0, 1, 2, 3, 4, 5, 6, 7 }), 1, part,
     "a hexahedron with a corner pushed through", check);
-  // The same cell as a structured grid, whose points are in voxel order.
+  // The hexahedron with a twisted face as a structured grid, whose points are in voxel order.
   vtkNew<vtkStructuredGrid> structured;
   structured->SetDimensions(2, 2, 2);
   vtkNew<vtkPoints> twisted;
@@ -304,7 +304,7 @@ void CheckAxes(Check& check)
     make({ 3, 2, 2, 1 }), 6, "at index 2 (2 after 2)", "descending coordinates that repeat", check);
 }
 
-/// Two AMR levels: 4 cells per axis from 0 to 4, and 4 cells per axis from 1 to 3 in the center.
+/// Returns two AMR levels: 4 cells per axis from 0 to 4, and 4 finer cells per axis from 1 to 3.
 vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
 {
   auto levels = vtkSmartPointer<vtkOverlappingAMR>::New();
@@ -331,8 +331,8 @@ vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
   return levels;
 }
 
-/// Cuts at x = 1.25 through the coarse cells from 1 to 2. The fine level covers four of these
-/// cells. Of the others, two adjoin the fine level on each of its four sides.
+/// The isosurface x = 1.25 cuts the 16 coarse cells between x = 1 and x = 2. The fine level covers
+/// four of these cells. Eight more share a face with it, two on each of its four sides.
 void CheckLevels(Check& check)
 {
   const auto levels = MakeLevels();

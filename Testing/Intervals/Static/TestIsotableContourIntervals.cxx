@@ -21,7 +21,7 @@ namespace
 
 using namespace reference;
 
-/// Returns the triangles whose last array value equals \a value, without this array value.
+/// Returns the triangles whose last element, an array value, equals \a value. Removes this element.
 std::vector<GeometricSimplex> Having(const std::vector<GeometricSimplex>& set, double value)
 {
   std::vector<GeometricSimplex> result;
@@ -35,7 +35,7 @@ std::vector<GeometricSimplex> Having(const std::vector<GeometricSimplex>& set, d
   return result;
 }
 
-/// Returns the net number of uses of each triangle.
+/// Returns the sum of the orientation signs of each triangle, times \a sign. Omits zero sums.
 std::map<GeometricSimplex, double> Net(const std::vector<GeometricSimplex>& set, double sign = 1)
 {
   std::map<GeometricSimplex, double> net;
@@ -58,8 +58,8 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double lower, double upper, bool ties,
   const auto contours =
     GeometricSet(ExtractContours(mesh, { lower, upper }).Surface, { "ContourId" });
   check.That(!Having(contours, 0).empty(), "there is a contour");
-  // On the domain boundary, the contour also contains faces at the isovalue whose cell has other
-  // values elsewhere.
+  // On the domain boundary, the contour also contains faces of cells that have the isovalue on the
+  // face and lower values elsewhere.
   std::map<GeometricSimplex, double> left = Net(Having(contours, 0));
   for (const auto& triangle : Net(Having(boundary, 0)))
   {
@@ -77,7 +77,8 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double lower, double upper, bool ties,
       return triangle.second == 0 || (ties && domain.Find(points) >= 0);
     });
   check.That(isSame, "the lower side equals the contour");
-  // Values equal to the upper bound are inside the interval, but above the contour.
+  // With ties, the upper side differs: values equal to the upper bound are inside the interval, but
+  // above the contour.
   if (!ties)
   {
     check.That(Having(boundary, 0) == Having(contours, 0), "no triangle is repeated");

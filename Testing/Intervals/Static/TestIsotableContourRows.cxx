@@ -88,7 +88,7 @@ vtkIdType CompareGrids(const Grid& quick, const Grid& general, Check& check)
   return quick->GetNumberOfCells();
 }
 
-/// Compares the fast and the general path. Returns the number of triangles.
+/// Compares the results of the fast and the general path. Returns the number of triangles.
 vtkIdType Compare(vtkDataSet* data, double value, Check& check)
 {
   vtkNew<vtkInterlumeReport> report;
@@ -131,7 +131,7 @@ constexpr int Types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHOR
   VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT,
   VTK_DOUBLE };
 
-/// Small integers, many of which equal the isovalue, and values between them.
+/// Tests all scalar types. Many of the small integers equal the isovalue.
 void CheckTypes(Check& check)
 {
   const std::array<int, 3> sizes[] = { { { 2, 2, 2 } }, { { 31, 4, 3 } }, { { 32, 3, 4 } },
@@ -174,7 +174,8 @@ void CheckGrids(Check& check)
   }
 }
 
-/// A left-handed image, and an image with a string array, which is copied, not interpolated.
+/// Tests a left-handed image, and an image with a string array, whose values are copied instead of
+/// interpolated.
 void CheckKinds(Check& check)
 {
   check.SetContext("left-handed");
@@ -209,7 +210,7 @@ void CheckKinds(Check& check)
   }
 }
 
-/// Only one value equals the isovalue or is not finite, so most rows have no such value.
+/// Sets a single value to the isovalue or to a non-finite value, so most rows have no such value.
 void CheckFew(Check& check)
 {
   for (double value : { 50.0, std::numeric_limits<double>::infinity(),
@@ -228,7 +229,7 @@ void CheckFew(Check& check)
   }
 }
 
-/// Sets values that increase along k. A few are integers or NaN.
+/// Sets values that increase with the point index, except for noise. A few are integers or NaN.
 void SetGrowing(vtkDataSet* data, int type)
 {
   SetScalars(data, type, 4.0, 11);
@@ -247,7 +248,7 @@ void SetGrowing(vtkDataSet* data, int type)
   }
 }
 
-/// The isovalue changes between executions, so the filter uses an index.
+/// Changes the isovalue between executions, so that the filter uses its value index.
 void CheckIndex(vtkDataSet* data, Check& check)
 {
   vtkNew<vtkIsotableContour> retained;
@@ -270,7 +271,7 @@ void CheckIndex(vtkDataSet* data, Check& check)
     check.Equal(report->GetCount("CellsWithOutput"),
       plain->GetReport()->GetCount("CellsWithOutput"), "cells with output, by the index");
     const double cells = plain->GetReport()->GetNumber("CellsByBits");
-    // Values equal to the isovalue or NaN in a ghost cell require the general path.
+    // The general path is used if a value in a ghost cell equals the isovalue or is NaN.
     const bool isFloat = data->GetPointData()->GetScalars()->GetDataType() == VTK_FLOAT;
     const bool mayBeTied = data->GetCellGhostArray() && (isFloat || value == std::floor(value));
     check.That(mayBeTied || cells > data->GetNumberOfCells() / 2, "cells are compared as bits");
@@ -329,7 +330,7 @@ void CheckRuns(Check& check)
   }
 }
 
-/// Conditions that prevent the fast path.
+/// The fast path is not used for several isovalues.
 void CheckUnsuited(Check& check)
 {
   check.SetContext("several values");

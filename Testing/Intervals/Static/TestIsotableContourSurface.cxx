@@ -71,7 +71,7 @@ void CheckRandom(MeshKind kind, Check& check)
   }
 }
 
-/// Computes the points of a triangle and a normal whose length is twice the area.
+/// Finds the points of a triangle and a normal whose length is twice the triangle's area.
 void FindNormal(
   vtkUnstructuredGrid* surface, const Triangle& triangle, double x[3][3], double normal[3])
 {
@@ -86,7 +86,7 @@ void FindNormal(
   vtkMath::Cross(u, v, normal);
 }
 
-/// A linear function: the surface is the plane, and the normals point against its gradient.
+/// The isosurface of a linear function is a plane, whose normals point opposite to the gradient.
 void CheckPlane(MeshKind kind, Check& check)
 {
   check.SetContext(GetName(kind) + ", plane");

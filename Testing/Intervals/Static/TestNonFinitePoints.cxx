@@ -86,7 +86,7 @@ vtkSmartPointer<vtkDataSet> Copy(vtkDataSet* data)
   return copy;
 }
 
-/// Sets integer scalars of the given type, from 0 to 12.
+/// Sets random integers from 0 to 12 as the active scalars, in an array of the given type.
 template <typename Array>
 void SetScalars(vtkDataSet* data, unsigned int seed)
 {
@@ -101,7 +101,7 @@ void SetScalars(vtkDataSet* data, unsigned int seed)
   data->GetPointData()->SetActiveScalars("f");
 }
 
-/// Replaces the active scalars. The new scalars are NaN at some points.
+/// Replaces the active scalars with floating-point values that are NaN at the points \a lost.
 void InvalidateScalars(vtkDataSet* data, const std::set<vtkIdType>& lost)
 {
   vtkDataArray* const before = data->GetPointData()->GetScalars();
@@ -117,7 +117,7 @@ void InvalidateScalars(vtkDataSet* data, const std::set<vtkIdType>& lost)
   data->GetPointData()->SetActiveScalars("f");
 }
 
-/// Sets coordinates of some points to NaN and infinity.
+/// Sets one coordinate of each point in \a lost to NaN or infinity.
 void InvalidatePoints(vtkDataSet* data, const std::set<vtkIdType>& lost)
 {
   const double values[] = { NaN, Infinity, -Infinity };
@@ -141,7 +141,7 @@ std::set<vtkIdType> ChoosePoints(vtkDataSet* data, unsigned int seed)
   return chosen;
 }
 
-/// Appends a hash of a grid and its arrays and the number of non-finite points.
+/// Appends the numbers of cells and of non-finite points, and a hash of the grid and its arrays.
 void AddDigest(vtkDataObject* output, std::ostream& text)
 {
   auto* grid = vtkDataSet::SafeDownCast(output);
@@ -175,8 +175,8 @@ void AddReport(vtkInterlumeReport* report, std::ostream& text)
   }
 }
 
-/// Updates a filter and appends its results. If cells are skipped because of non-finite points,
-/// there is one warning.
+/// Updates a filter and appends its outputs and its report. Expects one warning about non-finite
+/// coordinates if \a warns is true, otherwise none.
 template <typename Filter>
 void AddOutput(Filter* filter, bool warns, std::ostream& text, Check& check)
 {
@@ -193,7 +193,8 @@ void AddOutput(Filter* filter, bool warns, std::ostream& text, Check& check)
   AddReport(filter->GetReport(), text);
 }
 
-/// Returns a text description of all contours and interval volumes of a grid.
+/// Extracts contours and interval volumes of a grid with several settings. Returns a summary as
+/// text.
 std::string Extract(vtkDataSet* data, bool warns, Check& check)
 {
   std::ostringstream text;
@@ -233,8 +234,8 @@ std::string Extract(vtkDataSet* data, bool warns, Check& check)
 
 using Invalidate = std::function<void(vtkDataSet*)>;
 
-/// Compares a grid with non-finite coordinates at the points \a lost with a grid with NaN scalars
-/// there.
+/// Compares the results for non-finite coordinates at the points \a lost with the results for NaN
+/// scalars at these points.
 void Compare(vtkDataSet* data, const std::set<vtkIdType>& lost, const Invalidate& invalidate,
   const std::string& name, Check& check)
 {
@@ -249,7 +250,7 @@ void Compare(vtkDataSet* data, const std::set<vtkIdType>& lost, const Invalidate
   check.That(found.find(", with output 0,") == std::string::npos, "there are cells");
 }
 
-/// Compares grids with scalars of several types.
+/// Calls Compare() for scalars of several types.
 void CompareTypes(vtkDataSet* data, const std::set<vtkIdType>& lost, const Invalidate& invalidate,
   const std::string& name, Check& check)
 {
@@ -286,8 +287,8 @@ void CheckPointSets(Check& check)
   }
 }
 
-/// A non-finite coordinate of a rectilinear grid affects a plane of points. A descending axis
-/// remains valid.
+/// A non-finite coordinate of a rectilinear grid invalidates a plane of points. Descending
+/// coordinates are valid.
 void CheckRectilinear(Check& check)
 {
   for (const bool falls : { false, true })
@@ -380,7 +381,7 @@ void CheckQuiet(Check& check)
   check.Equal(filter->GetReport()->GetCount("BlankedCells"), 1, "blanked cells");
 }
 
-/// Tests ghost cells in addition to non-finite points.
+/// Tests a grid with ghost cells and non-finite points.
 void CheckGhosts(Check& check)
 {
   std::minstd_rand random(3);
@@ -398,8 +399,8 @@ void CheckGhosts(Check& check)
   ComparePoints(vtkPointSet::SafeDownCast(form.Data), "ghosts", check);
 }
 
-/// Time steps of a grid with non-finite points, at all steps or at one step. In the latter case,
-/// the cells at these points are skipped in the adjacent slabs.
+/// Tests a grid with points that are non-finite at all time steps, or at one step only. In the
+/// latter case, the cells at these points are skipped in both adjacent slabs.
 void CheckTime(Check& check)
 {
   for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 4, 4, 4 }, 5))
@@ -427,7 +428,8 @@ void CheckTime(Check& check)
     const std::string found = extract(true, { 0, 1, 2 });
     const std::string required = extract(false, { 0, 1, 2 });
     check.That(found == required, "found\n" + found + "for\n" + required);
-    // If points differ between steps, the grid moves and is cut in a different way.
+    // If points differ between steps, the grid is treated as moving, which changes the tetrahedra.
+    // Only the 4-simplices and the report are the same.
     const std::string atOne = extract(true, { 1 });
     const std::string atAll = required.substr(required.find("not finite, "));
     check.That(atOne.substr(atOne.rfind("not finite")) == atAll.substr(atAll.rfind("not finite")),
@@ -470,7 +472,7 @@ void CheckWriter(Check& check)
   std::filesystem::remove_all(folder);
 }
 
-/// 4-simplices with non-finite points yield the same slice as with non-finite times.
+/// 4-simplices with non-finite points are skipped like those with non-finite times.
 void CheckSimplices(Check& check)
 {
   check.SetContext("4-simplices");

@@ -126,7 +126,7 @@ void CheckArrays(Check& check)
   }
 }
 
-/// The times 0 to 3 yield the same slice in an array of another type as in an array of doubles.
+/// Checks that a Time array of another type yields the same slices as an array of doubles.
 void CheckTimeArray(vtkDataArray* times, const std::string& name, Check& check)
 {
   check.SetContext(name);

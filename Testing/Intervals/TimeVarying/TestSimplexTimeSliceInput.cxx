@@ -42,7 +42,7 @@ KuhnOptions MakeOptions()
   return options;
 }
 
-/// Returns the errors or the warnings of the filter for an input, and the output.
+/// Updates the filter and returns its errors or, depending on \a event, its warnings.
 std::string SliceWatched(vtkSimplexTimeSlice* filter, vtkDataObject* input, double t,
   unsigned long event = vtkCommand::ErrorEvent)
 {
@@ -66,7 +66,7 @@ struct ErrorCase
   std::function<void(vtkUnstructuredGrid*)> Break;
 };
 
-/// Replaces the array Time.
+/// Replaces the point array Time.
 void SetTimes(vtkUnstructuredGrid* grid, vtkAbstractArray* times)
 {
   times->SetName("Time");
@@ -181,7 +181,7 @@ void CheckNothing(Check& check)
   }
 }
 
-/// Returns a grid without the cells that \a isSelected rejects.
+/// Returns a grid of the cells that \a isSelected accepts.
 Grid Select(vtkUnstructuredGrid* grid, const std::function<bool(vtkIdType)>& isSelected)
 {
   std::vector<Event> points(grid->GetNumberOfPoints());
@@ -255,7 +255,7 @@ void CheckLeftOut(Check& check)
   CheckSame(grid, expected, check);
 }
 
-/// 4-simplices with equal points or without an extent in time have an empty slice.
+/// Slices of 4-simplices with repeated points or with equal times are empty.
 void CheckDegenerate(Check& check)
 {
   check.SetContext("degenerate");

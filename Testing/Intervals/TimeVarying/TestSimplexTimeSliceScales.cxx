@@ -22,11 +22,12 @@ struct Scale
   const char* Name;
   double Step;
   double Offset;
-  /// Tolerance of the positions, because times are rounded.
+  /// Largest allowed error of a position, due to rounded times.
   double Tolerance;
 };
 
-/// Times are multiples of 1/8, which remain exact for scales that are powers of 2.
+/// Returns options for a grid whose times are multiples of 1/8, so that scaling by a power of 2 is
+/// exact.
 KuhnOptions MakeOptions()
 {
   KuhnOptions options;

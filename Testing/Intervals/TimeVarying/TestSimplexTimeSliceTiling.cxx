@@ -41,8 +41,8 @@ std::vector<Tetrahedron> TetrahedraOf(vtkUnstructuredGrid* grid)
   return all;
 }
 
-/// Checks that the slice fills the unit cube: every face is shared by two tetrahedra, or covers a
-/// part of the cube's boundary once.
+/// Checks that the slice fills the unit cube: every face is shared by two tetrahedra or lies on the
+/// cube's boundary, which is covered once.
 void CheckFillsCube(vtkUnstructuredGrid* slice, Check& check)
 {
   const TetrahedraVolume volume = MeasureTetrahedra(slice);
@@ -97,7 +97,8 @@ void CheckRegion(const KuhnOptions& options, const std::vector<double>& times, C
   }
 }
 
-/// Returns the faces of 4-simplices at time \a t, without duplicates, as positive tetrahedra.
+/// Returns the faces of 4-simplices at time \a t, without duplicates, as positively oriented
+/// tetrahedra.
 vtkSmartPointer<vtkUnstructuredGrid> FacesAt(vtkUnstructuredGrid* grid, double t)
 {
   std::set<Tetrahedron> faces;
@@ -142,8 +143,8 @@ vtkSmartPointer<vtkUnstructuredGrid> FacesAt(vtkUnstructuredGrid* grid, double t
   return expected;
 }
 
-/// At a time level, the slice consists of the faces of both slabs without duplicates, even if
-/// simplices are missing.
+/// At the time of a step, the slice contains each face at this time once, even if some simplices
+/// are missing.
 void CheckHoles(unsigned int seed, double fraction, Check& check)
 {
   std::mt19937 random(seed);
@@ -164,8 +165,8 @@ void CheckHoles(unsigned int seed, double fraction, Check& check)
   }
 }
 
-/// Returns every \a pieces-th simplex of a grid, starting at \a number. Points are renumbered at
-/// random, and global ids refer to the full grid.
+/// Returns every \a pieces-th simplex of a grid, starting at \a number. Points are renumbered
+/// randomly. Their global ids are the ids in the full grid.
 vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   vtkUnstructuredGrid* grid, int number, int pieces, std::mt19937& random)
 {
@@ -197,8 +198,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   return piece;
 }
 
-/// Adds the tetrahedra at a time level as cells. AtStep enables only some faces at the level, which
-/// duplicate some of these tetrahedra.
+/// Adds all tetrahedra at the time of a step as cells. The array AtStep enables only some of the
+/// faces at that time, each of which duplicates one of these tetrahedra.
 void CheckAtStep(Check& check)
 {
   using Filter = vtkTimeVaryingIntervalVolume;

@@ -25,8 +25,8 @@ using Corners = std::array<Position, 4>;
 
 constexpr vtkIdType NumberOfSimplices = 6000;
 
-/// Returns randomly numbered simplices without common points. The cell array `simplex` has their
-/// indices.
+/// Returns simplices that share no points, each with its points in random order. The cell array
+/// `simplex` stores the index of each simplex.
 vtkSmartPointer<vtkUnstructuredGrid> MakeRandomSimplices(unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeRandomSimplices(unsigned int seed)
   return grid;
 }
 
-/// Groups the tetrahedra by simplex.
+/// Groups the tetrahedra of a slice by 4-simplex.
 std::vector<std::vector<Corners>> GroupBySimplex(vtkUnstructuredGrid* slice)
 {
   std::vector<std::vector<Corners>> groups(NumberOfSimplices);
@@ -119,8 +119,8 @@ Position PickPoint(const SimplexEvents& simplex, double t, std::mt19937& random)
   return picked;
 }
 
-/// Checks the slices at time \a t. Adds the keys of the cases that occur. Bit i of a key is set if
-/// the time of vertex i is at least \a t.
+/// Checks the slices at time \a t. Adds the key of each case that occurs to \a cases. Bit i of a
+/// key is set if the time of vertex i is at least \a t.
 void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases, Check& check)
 {
   check.SetContext("t = " + std::to_string(t));
@@ -144,7 +144,8 @@ void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases,
       check.That(part > -1e-16L, "a tetrahedron has the orientation of its 4-simplex");
       volume += part;
     }
-    // The terms of the M-spline cancel if two times are close to each other.
+    // The M-spline that yields the expected volume is inaccurate if two times are close to each
+    // other.
     check.Near(static_cast<double>(volume), static_cast<double>(SliceVolume(simplex, t)), 1e-12,
       "volume of simplex " + std::to_string(s), 1.0);
     if (!groups[s].empty())
@@ -157,8 +158,8 @@ void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases,
   }
 }
 
-/// Between two vertex times the volume is a cubic polynomial. Two Gauss points integrate it
-/// exactly.
+/// Between two vertex times, the volume of the slice is a cubic polynomial of time. Two Gauss
+/// points integrate it exactly.
 void CheckHypervolume(unsigned int seed, Check& check)
 {
   std::mt19937 random(seed);

@@ -110,7 +110,7 @@ std::vector<std::string> ReadCells(const std::string& index, unsigned int slabs,
   return cells;
 }
 
-/// The slabs together equal the extraction of all steps.
+/// Together, the slabs equal the output of a single extraction of all steps.
 void TestUnion(const files::path& folder, Check& check)
 {
   check.SetContext("all slabs");
@@ -156,7 +156,7 @@ std::map<std::string, std::string> ReadFiles(const files::path& folder)
   return content;
 }
 
-/// Writes again and checks the number of written slabs. Returns the warnings.
+/// Writes all slabs again and checks how many are not reused. Returns the warnings.
 std::string WriteAgain(const files::path& folder, int written, Check& check, double shift = 0.0)
 {
   vtkNew<vtkTimeSlabWriter> writer;
@@ -216,7 +216,7 @@ void TestResume(const files::path& folder, Check& check)
   WriteAgain(folder, NumberOfSteps - 1, check);
 }
 
-/// Stops the execution at an event halfway: kills the process or aborts the execution.
+/// Counts progress events. Halfway, kills the process or aborts the execution.
 struct End
 {
   int Events = 0;
@@ -251,7 +251,8 @@ bool WriteUntil(const files::path& folder, bool isKill)
   return writer->Write();
 }
 
-/// After a stop there is no index, and the next execution reuses the written slabs.
+/// After an interrupted execution there is no index file, and the next execution reuses the slabs
+/// that were written.
 void TestStop(const files::path& folder, bool isKill, Check& check)
 {
   check.SetContext(isKill ? "killed" : "aborted");

@@ -50,7 +50,8 @@ std::string NameOf(int type, int components)
   return "array-" + std::to_string(type) + "-" + std::to_string(components);
 }
 
-/// A function with integer values from 0 to 100 at integer points and at the times in use.
+/// A linear function of space and time. Its values at the points and times of the test are integers
+/// from 0 to 100.
 double Linear(const double* x, double time, int component)
 {
   return 3 * x[0] + (2 + component) * x[1] + 4 * x[2] + 5 * time + 7 * component;
@@ -79,8 +80,8 @@ void AddTypes(const TimeSteps& steps, int components)
   }
 }
 
-/// Checks that arrays that are linear in space and time have the value for the time of each point.
-/// At a thick point, the value and the time are both means over the duration.
+/// Checks that arrays with values of Linear() are interpolated exactly at the position and time of
+/// each point. At a thick point, the value and the time are both means over the duration.
 void CheckInterpolated(vtkUnstructuredGrid* grid, int components, Check& check)
 {
   vtkDataArray* times = grid->GetPointData()->GetArray("Time");
@@ -151,7 +152,7 @@ void CheckNames(const TimeVaryingExtraction& found, Check& check)
     CheckPointArray(grid, "Time", check);
     CheckCellArray<vtkIntArray>(grid, "IntervalId", intervals, check);
     CheckCellArray<vtkIntArray>(grid, "TimeSlab", slabs, check);
-    // Each output point has the string of an input point.
+    // The string of each output point is copied from an input point.
     auto* text = vtkStringArray::SafeDownCast(grid->GetPointData()->GetAbstractArray("text"));
     if (check.That(text && text->GetNumberOfValues() == grid->GetNumberOfPoints(), "strings"))
     {
@@ -182,7 +183,8 @@ void CheckTypes(Check& check)
   {
     for (int components : { 1, 3 })
     {
-      // Integer arrays are linear where points have integer coordinates.
+      // Integer arrays store Linear() exactly only at integer coordinates, so the test requires
+      // grids whose points can be moved to integer coordinates.
       if (!vtkUnstructuredGrid::SafeDownCast(grid.Data) || !HasBoxDomain(grid.Data))
       {
         continue;
@@ -219,8 +221,8 @@ void CheckTypes(Check& check)
   }
 }
 
-/// The interval can apply to an array other than the active scalars. The output values of that
-/// array, including the means at thick points, lie in the interval.
+/// Selects an array other than the active scalars for the interval. Its output values, including
+/// the means at thick points, lie in the interval.
 void CheckScalars(Check& check)
 {
   check.SetContext("another array as the scalar");
@@ -240,8 +242,8 @@ void CheckScalars(Check& check)
     "the active array is interpolated like other arrays");
 }
 
-/// Arrays that are missing at a step are skipped. Arrays with names of generated arrays are
-/// replaced.
+/// Arrays that are missing at a step are skipped. An input array with the name of a generated array
+/// is replaced.
 void CheckOtherArrays(Check& check)
 {
   check.SetContext("arrays at some steps");
@@ -345,7 +347,7 @@ void CheckUnnamedArrays(Check& check)
       }
     }
     const TimeVaryingExtraction unnamed = ExtractTimeVarying(steps, settings);
-    // The mean fraction of the height below 0.65 - t / 8 is 0.525 over two units of time.
+    // The interval contains the lower 0.65 - t / 8 of the height: 0.525 on average for t in [0, 2].
     const double expected = static_cast<double>(MeshVolume(grid.Data)) * 2.0 * 0.525;
     if (HasBoxDomain(grid.Data))
     {

@@ -25,7 +25,7 @@ using namespace reference;
 
 constexpr double CellVolume = 0.1 * 0.3 * 0.7;
 constexpr int NumberOfCells = 4 * 4 * 4;
-/// An interior point of the grid with 5 x 5 x 5 points. Eight cells use the point.
+/// Index of an interior point of the 5 x 5 x 5 grid points. Eight cells use it.
 constexpr vtkIdType InnerPoint = 2 + 5 * (2 + 5 * 2);
 const std::vector<double> Times = { 0, 1, 3 };
 
@@ -36,7 +36,8 @@ TimeSteps MakeSteps(const LatticeForm& form)
   return steps;
 }
 
-/// Checks the number of skipped cells in each slab. \a count is the report's name for this number.
+/// Checks the number of skipped cells in each slab. \a count is the name of this number in the
+/// report.
 void CheckSkipped(const TimeSteps& steps, const std::array<int, 2>& skipped, const char* count,
   const std::string& what, Check& check)
 {
@@ -88,7 +89,7 @@ void CheckForm(const LatticeForm& form, Check& check)
   steps = MakeSteps(form);
   SetGhost(steps, true, InnerPoint, vtkDataSetAttributes::DUPLICATEPOINT);
   CheckSkipped(steps, { 0, 0 }, blanked, "duplicate point", check);
-  // Only one step has a hidden cell or point.
+  // Only one step has a hidden cell, a hidden point or a non-finite value.
   steps = MakeSteps(form);
   SetGhost({ steps[0] }, false, 21, vtkDataSetAttributes::HIDDENCELL);
   CheckSkipped(steps, { 1, 0 }, blanked, "hidden at the first step", check);

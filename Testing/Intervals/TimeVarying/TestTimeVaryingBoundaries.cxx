@@ -38,7 +38,7 @@ Position PositionOf(vtkUnstructuredGrid* grid, vtkIdType id)
   return x;
 }
 
-/// Returns cells as the sets of their point coordinates.
+/// Returns the set of point positions of each cell.
 template <size_t N>
 std::multiset<std::set<Position>> PositionsOf(
   vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells)
@@ -139,7 +139,8 @@ void CheckEnd(const TimeSteps& steps, const TimeVaryingExtraction& found, int en
   }
 }
 
-/// Each kind generated separately is the corresponding part of all kinds.
+/// Generates each kind of boundary separately and compares it with its part of the output for all
+/// kinds.
 void CheckKinds(const TimeSteps& steps, const TimeVaryingExtraction& all, Check& check)
 {
   for (int kind = 0; kind < Filter::NUMBER_OF_BOUNDARY_KINDS; ++kind)

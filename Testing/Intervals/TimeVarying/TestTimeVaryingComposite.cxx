@@ -28,7 +28,7 @@ using namespace reference;
 const std::vector<double> Times = { 0, 1, 1.75 };
 const TimeVaryingSettings Settings = { { { 0.3, 0.6 } } };
 
-/// Returns the time steps of each leaf. The leaves of a step form a tree.
+/// Returns the time steps of each leaf of a composite dataset.
 std::vector<TimeSteps> MakeLeaves()
 {
   std::vector<TimeSteps> leaves;
@@ -142,7 +142,7 @@ void CheckTree(const Tree& tree, Check& check)
     "the report counts the cells of the last execution only");
 }
 
-/// The input changes from a grid to a tree and back, and the output type changes with it.
+/// Changes the input from a grid to a composite dataset and back. The output type changes with it.
 void CheckChange(Check& check)
 {
   check.SetContext("grid, tree, grid");

@@ -24,7 +24,7 @@ using namespace reference;
 constexpr int Samples = 40;
 const std::vector<double> Times = { -0.5, 0.25, 1.5 };
 
-/// Tests points within a tenth of the domain's size from its center, where every grid has cells.
+/// Compares durations at random points near the center of the domain, where every grid has cells.
 template <typename Known>
 void CheckDurations(const TimeSteps& steps, const Interval& interval, Known&& known,
   const std::string& name, Check& check)
@@ -59,7 +59,7 @@ double Linear(const std::array<double, 3>& x, double time)
   return 0.3 + 0.7 * x[0] - 0.4 * x[1] + 0.9 * x[2] + 0.8 * time;
 }
 
-/// Returns how long a function that is linear in time lies in an interval at a point.
+/// Returns how long the value of Linear() at a point lies in an interval.
 double LinearDuration(const std::array<double, 3>& x, const Interval& interval)
 {
   constexpr double rate = 0.8;

@@ -41,7 +41,7 @@ TimeSteps MakeMixed(const std::vector<double>& times = { 0, 1, 2, 3 })
   return MakeSteps(MakeMesh(MeshKind::Mixed, { 2, 2, 2 }), times);
 }
 
-/// Returns four steps, of which step 2 is replaced.
+/// Returns four time steps of \a grid, but with \a other as step 2.
 TimeSteps With(vtkDataSet* grid, vtkDataSet* other)
 {
   TimeSteps steps = MakeSteps(grid, { 10, 10.5, 11, 13 });
@@ -53,7 +53,7 @@ struct ErrorCase
 {
   std::string Name;
   TimeSteps Steps;
-  /// Texts that the message must contain: the step index, its time, or a value.
+  /// Strings that the message must contain: the index of a step, its time, or another value.
   std::vector<std::string> Named;
   std::function<void(vtkTimeVaryingIntervalVolume*)> Break = [](vtkTimeVaryingIntervalVolume*) {};
   bool HasTimes = true;
@@ -162,7 +162,7 @@ void CheckCase(const ErrorCase& one, Check& check)
   check.That(!messages.empty(), "there is an error");
   for (const std::string& part : one.Named)
   {
-    // Skips the source line and the address of the object.
+    // The message starts with a source line and the address of the object, which are skipped.
     const size_t words = messages.find("): ");
     check.That(words != std::string::npos && messages.find(part, words) != std::string::npos,
       "the error names " + part + ": " + messages);
@@ -216,7 +216,7 @@ void CheckNothing(Check& check)
   check.That(IsEmpty(filter->GetOutputDataObject(0)), "the output is empty");
 }
 
-/// Blocks that change between steps are an error.
+/// A block that is missing at one step is an error.
 void CheckBlocks(Check& check)
 {
   check.SetContext("blocks");

@@ -16,7 +16,7 @@ namespace
 
 using namespace reference;
 
-/// The contents of each output, independent of the numbering.
+/// The cells of each output, in a form that does not depend on the order of points and cells.
 struct Sets
 {
   std::vector<GeometricSimplex> Tetrahedra;

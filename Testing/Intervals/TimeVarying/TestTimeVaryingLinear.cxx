@@ -27,7 +27,7 @@ const std::vector<double> Times = { -0.5, 0.25, 1.5 };
 const std::vector<std::array<double, 4>> Directions = { { 0, 0, 0, 1 }, { 1, 1, 1, 1 },
   { 1, 0, 0, 0 }, { 0, 0, 0, -2.5 }, { 0.3, -1.7, 0.2, 0.9 }, { 0, 0, 1e-9, 1 } };
 
-/// Divides the range of the function into four parts and returns the two inner intervals.
+/// Divides the scalar range over all steps into four intervals and returns the two inner ones.
 std::vector<Interval> IntervalsOf(const TimeSteps& steps)
 {
   double range[2] = { 1e300, -1e300 };

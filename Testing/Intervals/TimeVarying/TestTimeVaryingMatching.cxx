@@ -16,7 +16,7 @@ namespace
 
 using namespace reference;
 
-/// Uses three subvolumes of a volume, shifted by one voxel, as three time steps.
+/// Uses three subvolumes of a volume, each shifted by one more voxel, as three time steps.
 void CheckVolume(const std::string& file, Check& check)
 {
   check.SetContext(file);

@@ -30,7 +30,7 @@ constexpr int NumberOfClasses = 6;
 const char* const ClassNames[NumberOfClasses] = { "1", "2", "3a", "3b", "4", "5" };
 constexpr int TetrahedraOfClass[NumberOfClasses] = { 6, 4, 4, 3, 2, 1 };
 
-/// Coordinates are multiples of 2^-10 in [0,1), so that halves and quarters of sums are exact.
+/// Returns a point with multiples of 2^-10 in [0,1) as coordinates, so that Mean() is exact.
 Point RandomPoint(std::mt19937& random)
 {
   Point p;
@@ -41,7 +41,7 @@ Point RandomPoint(std::mt19937& random)
   return p;
 }
 
-/// Returns a mean of points, weighted by multiples of 1/4, with a random time.
+/// Returns the weighted mean of points, with a random time. The weights are given in quarters.
 Point Mean(const std::vector<std::pair<Point, int>>& parts, std::mt19937& random)
 {
   Point mean = RandomPoint(random);
@@ -56,7 +56,7 @@ Point Mean(const std::vector<std::pair<Point, int>>& parts, std::mt19937& random
   return mean;
 }
 
-/// Returns five points that belong to a class by construction.
+/// Returns the points of a 4-simplex that is in class \a index by construction.
 Points MakeClass(int index, std::mt19937& random)
 {
   Points p;
@@ -89,7 +89,7 @@ Points MakeClass(int index, std::mt19937& random)
   return p;
 }
 
-/// Computes lambda_i exactly: (-1)^i times the determinant of the points without point i.
+/// Returns the exact lambda_i: (-1)^i times the determinant of the points without point i.
 std::array<Exact, 5> Dependency(const Points& p)
 {
   std::array<Exact, 5> lambda;
@@ -136,7 +136,7 @@ ExactProperties MakeTruth(const Points& p)
   exact.Moment = moment.Round();
   exact.Length = length.Round();
   exact.Thickness = exact.Length > 0 ? std::abs(exact.Moment) / exact.Length : 0;
-  // Determinant of the four edges, expanded along the column of times.
+  // The determinant of four edges, expanded along the column of times, is the moment.
   exact.Hypervolume = exact.Moment / 24;
   return exact;
 }
@@ -156,7 +156,7 @@ Position PositionOf(const Point& p)
   return { p[0], p[1], p[2] };
 }
 
-/// Returns the tetrahedra of a projection, with the thick point last.
+/// Returns the tetrahedra of a projection. The last point of each is the thick point.
 std::vector<std::array<Position, 4>> TetrahedraOf(
   const interlume::SimplexProjection& projection, const Points& p)
 {
@@ -172,12 +172,13 @@ std::vector<std::array<Position, 4>> TetrahedraOf(
   return tetrahedra;
 }
 
-/// Returns the length of the intersection of the 4-simplex with the line through \a x along the
-/// time axis. On the line, the barycentric coordinates are b + s lambda, nonnegative inside the
-/// simplex, and time changes by the moment per unit of s.
+/// Returns how long the 4-simplex contains the position \a x. On the line through \a x along the
+/// time axis, the barycentric coordinates are b + s lambda, where s is a parameter. They are
+/// nonnegative inside the 4-simplex. Per unit of s, time changes by the moment.
 Real ExactDuration(const ExactProperties& exact, const Points& p, const Position& x)
 {
-  // b comes from the tetrahedron without the point with the largest lambda.
+  // b are the barycentric coordinates in the tetrahedron that omits the point with the largest
+  // absolute value of lambda.
   int largest = 0;
   for (int i = 1; i < 5; ++i)
   {
@@ -237,7 +238,7 @@ Real FoundDuration(
   return sum;
 }
 
-/// Size of a 4-simplex: extent in space, extent in time, and distance from the origin.
+/// Size of a 4-simplex: extent in space, extent in time, and largest absolute coordinate.
 struct Size
 {
   Real Space = 0;
@@ -272,9 +273,9 @@ struct Errors
   long long Count = 0;
 };
 
-/// Checks properties that hold for every 4-simplex, even if its class is ambiguous. The error bound
-/// of the hypervolume is relative, plus terms for rounding errors of the thick point's coordinates
-/// and of a sum of times that cancel.
+/// Checks properties that hold for every 4-simplex, even if its class is ambiguous. The hypervolume
+/// may have a relative error plus errors due to rounding the thick point's coordinates and due to
+/// cancellation in a weighted sum of times.
 void CheckMeasures(const Points& p, Errors& errors, Check& check)
 {
   const ExactProperties exact = MakeTruth(p);
@@ -326,7 +327,8 @@ void CheckClass(
     static_cast<double>(size.Time));
   errors.Thickness = std::max(
     errors.Thickness, std::abs(projection.GetThickness() - exact.Thickness) / exact.Thickness);
-  // The mean is halfway between both ends of the thick point.
+  // The weights yield the mean time of the thick point, halfway between the times at which it
+  // enters and leaves the 4-simplex.
   Real mean = 0;
   for (int i = 0; i < 5; ++i)
   {
@@ -439,7 +441,7 @@ void CheckConstructed(int index, Check& check)
             << errors.Duration << '\n';
 }
 
-/// Moves one point by a distance that makes the class ambiguous.
+/// Moves one point by distances down to 1e-17, which make the class ambiguous.
 void CheckPerturbed(int index, Check& check)
 {
   std::mt19937 random(200 + index);
@@ -466,7 +468,8 @@ void CheckPerturbed(int index, Check& check)
             << " simplices, error of the hypervolume " << errors.Hypervolume << " of the bound\n";
 }
 
-/// 4-simplices without volume in space, or without extent in time except for rounding errors.
+/// Tests 4-simplices that have no volume in space, or whose thickness is zero except for rounding
+/// errors.
 void CheckDegenerate(Check& check)
 {
   check.SetContext("flat");
@@ -508,8 +511,8 @@ bool AreSame(const interlume::SimplexProjection& a, const interlume::SimplexProj
   return same;
 }
 
-/// Projects several 4-simplices at once and compares the results with single projections. Includes
-/// simple cases, cases that require extended precision, and degenerate cases.
+/// Projects several 4-simplices at once and compares the results with those of single projections.
+/// Includes simple cases, cases that require extended precision, and degenerate cases.
 void CheckSeveral(Check& check)
 {
   check.SetContext("several at once");

@@ -40,7 +40,7 @@ void CheckFractions(Check& check)
     "4-simplex, above", 1);
   check.Near(Near(FractionBelow({ 1, 1, 1 }, 1)), 1, 0, "constant and equal");
   check.Near(Near(FractionBelow({ 1, 1, 1 }, 0)), 0, 0, "constant and above", 1);
-  // By symmetry, the fraction is a half up to the shift of 1e-15.
+  // By symmetry, the fraction is 1/2 if the value 1e-15 is treated as 0.
   check.Near(Near(FractionBelow({ 0, 1e-15L, 1, 1 }, 0.5)), 0.5, 1e-14, "nearly equal values");
 }
 
@@ -67,7 +67,7 @@ void CheckExact(Check& check)
 double BoxIntegral(const std::array<double, 3>& size, const LinearFunction& function, double rate,
   double value, double begin, double end)
 {
-  // The volume is piecewise cubic in time. With many pieces the quadrature error is negligible.
+  // The volume is piecewise cubic in time. With many pieces, the quadrature error is negligible.
   constexpr int pieces = 20000;
   const double step = (end - begin) / pieces;
   const double node = 0.5 / std::sqrt(3.0);
@@ -100,7 +100,7 @@ void CheckHypervolumes(Check& check)
       Near(HypervolumeBetween(steps, "f", 0.1, 0.8)), expected, 1e-9, "linear in space and time");
     check.Near(Near(DomainHypervolume(steps)), 12 * 1.25, 1e-15, "domain");
   }
-  // The volume of the stretched box is cubic in time. Simpson's rule is exact.
+  // The volume of the stretched box is cubic in time, so Simpson's rule is exact.
   const auto volume = [](double t)
   { return 2 * (1 + 0.31 * t) * 3 * (1 - 0.13 * t) * 2 * (1 + 0.07 * t); };
   check.SetContext("moving");
@@ -127,7 +127,7 @@ void CheckDurations(Check& check)
 void CheckFaces(Check& check)
 {
   check.SetContext("faces");
-  // Two 4-simplices on either side of the face 1234.
+  // Two 4-simplices that share the face with the points 1, 2, 3 and 4.
   const std::vector<FourSimplex> simplices = { { 0, 1, 2, 3, 4 }, { 1, 0 + 5, 2, 3, 4 } };
   long long inner = 0;
   long long outer = 0;

@@ -47,7 +47,8 @@ void CheckSteps(const TimeSteps& steps, Check& check)
   }
 }
 
-/// Values equal to bounds, shared or not: the volume of each slice equals the volume of the step.
+/// For values equal to interval bounds, checks that the volume of the slice at each step equals the
+/// volume that vtkIntervalVolume extracts.
 void CheckTies(const TimeSteps& steps, const std::vector<Interval>& intervals, Check& check)
 {
   const auto simplices = SimplicesOf(steps, intervals);
@@ -76,8 +77,8 @@ void CheckTiling(const TimeSteps& steps, const std::vector<Interval>& intervals,
   }
 }
 
-/// Compares the slice at each of several times with the interval volumes of the grid at that time.
-/// \a at returns the grid at the given times.
+/// Compares the volumes of slices at several times with the expected volumes of the intervals.
+/// \a at returns the time steps at the given times.
 template <typename At>
 void CheckBetween(const std::vector<Interval>& intervals, At&& at, Check& check)
 {
@@ -167,7 +168,8 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
   }
 }
 
-/// A sphere that moves and grows: error of the volume between two steps.
+/// Slices a moving spherical shell of varying size between two steps. The error of its volume
+/// decreases about quadratically with the time step.
 void CheckOrder(Check& check)
 {
   const auto mesh = MakeMesh(MeshKind::Tetrahedra6, { 8, 8, 8 });
@@ -189,7 +191,7 @@ void CheckOrder(Check& check)
   std::vector<double> errors;
   for (double step : { 0.4, 0.2, 0.1, 0.05 })
   {
-    // Mean error over several times in the slab.
+    // Mean relative error at the midpoints of four slabs.
     double error = 0;
     for (double midpoint : { 0.3, 0.55, 0.8, 1.05 })
     {

@@ -31,7 +31,7 @@ using namespace reference;
 const std::vector<Interval> Intervals = { { 0.2, 0.45 }, { 0.45, 0.8 } };
 const std::vector<double> Times = { 0, 0.5, 2, 2.25, 3 };
 
-/// Returns the simplices of an output as a set, with the first step of their slab.
+/// Returns the sorted simplices of an output. Adds \a firstSlab to their TimeSlab values.
 std::vector<GeometricSimplex> SetOf(
   vtkUnstructuredGrid* grid, const char* kind, const char* fourth, int firstSlab)
 {
@@ -44,8 +44,8 @@ std::vector<GeometricSimplex> SetOf(
   return set;
 }
 
-/// Removes the tetrahedra at steps from the simplices of port 2 and returns them. Two slabs may
-/// have the same tetrahedra.
+/// Removes the tetrahedra at time steps from the simplices of port 2 and returns them without
+/// duplicates. Two slabs may have the same tetrahedron.
 std::set<GeometricSimplex> RemoveAtSteps(std::vector<GeometricSimplex>& set)
 {
   std::set<GeometricSimplex> atSteps;
@@ -166,7 +166,7 @@ void CheckRequests(Check& check)
     pipeline.Filter->GetReport()->GetCount("TimeSteps"), 3, "time steps reported for the range");
   check.That(pipeline.GetSimplices()->GetNumberOfCells() < cells, "fewer 4-simplices for a range");
 
-  // A last step after the input's last step is clamped.
+  // A range that extends past the input's last step is clamped.
   pipeline.Filter->SetTimeStepRange(0, 1000);
   pipeline.Filter->Update();
   check.Equal(
@@ -218,7 +218,7 @@ void CheckEqualTimes(Check& check)
   check.That(slabs == std::set<int>({ 0, 2 }), "slabs are numbered by their first step");
 }
 
-/// Outputs that are not requested are empty and cost no time or memory.
+/// Outputs that are not requested are not computed and need no memory.
 void CheckOutputsOnRequest(Check& check)
 {
   check.SetContext("outputs on request");

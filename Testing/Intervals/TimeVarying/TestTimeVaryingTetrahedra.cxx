@@ -90,7 +90,8 @@ void CheckGroups(const TimeVaryingExtraction& found, double size, Counts& counts
       tetrahedra[Classes[i]], "tetrahedra reported of class " + std::to_string(Classes[i]));
   }
   counts.Flat += found.Report->GetCount("FlatSimplices");
-  // Skipped 4-simplices are degenerate. All other hypervolumes equal those of the projected groups.
+  // The hypervolumes of the 4-simplices equal those of the groups of projected tetrahedra. Skipped
+  // 4-simplices are degenerate and have no group.
   if (!check.That(projected.size() <= expected.size(), "at most as many groups as 4-simplices"))
   {
     return;

@@ -54,7 +54,7 @@ Grid Contour(vtkDataSet* data, const std::vector<double>& values, bool mergePoin
   return filter->GetOutput();
 }
 
-/// Returns whether tuples of two arrays are bit-identical. NaN equals itself.
+/// Returns whether tuples of two arrays are bit-identical. NaNs with the same bits are equal.
 bool IsSame(vtkAbstractArray* a, vtkIdType inA, vtkAbstractArray* b, vtkIdType inB)
 {
   if (vtkStringArray* strings = vtkStringArray::SafeDownCast(a))
@@ -92,8 +92,7 @@ void CompareArray(vtkAbstractArray* own, vtkAbstractArray* shared, vtkIdType num
   check.Equal(different, 0, "values of " + name + " that differ");
 }
 
-/// Compares a contour with MergePoints off with the merged contour. Returns the number of
-/// triangles.
+/// Compares the contours with MergePoints off and on. Returns the number of triangles.
 vtkIdType CompareSoup(vtkDataSet* data, const std::vector<double>& values, Check& check,
   int precision = vtkAlgorithm::DEFAULT_PRECISION)
 {
@@ -148,7 +147,7 @@ vtkIdType CompareSoup(vtkDataSet* data, const std::vector<double>& values, Check
   return triangles;
 }
 
-/// Adds arrays of many types, components and layouts.
+/// Adds point arrays of several types, numbers of components and memory layouts, and a cell array.
 void AddArrays(vtkDataSet* data, unsigned int seed)
 {
   std::minstd_rand random(seed);
@@ -201,7 +200,7 @@ void CheckGrids(Check& check)
   }
 }
 
-/// Random values in all cells, then small integers, many of which equal the isovalue.
+/// Tests random values in all cell types, then small integers, many of which equal an isovalue.
 void CheckCells(Check& check)
 {
   for (MeshKind kind : AllMeshKinds())
@@ -226,7 +225,8 @@ void CheckCells(Check& check)
   }
 }
 
-/// Points on edges with global ids: interpolation starts at the end with the smaller id.
+/// Tests a mesh with global ids. Interpolation along an edge starts at the point with the smaller
+/// global id.
 void CheckGlobalIds(Check& check)
 {
   check.SetContext("global ids");

@@ -13,13 +13,13 @@ interlume::ScatteringMedium MakeMedium(
 /// Returns a sphere with a soft, lumpy boundary in empty space. \a depth is the optical depth along
 /// its diameter.
 interlume::ScatteringMedium MakeCloud(int cells, double depth, const glm::vec3& albedo, double g);
-/// Returns a directional light. The direct light is computed from the medium.
+/// Returns a directional light, with the direct light in the cells of \a medium.
 interlume::ScatteringLight MakeLight(
   const interlume::ScatteringMedium& medium, const glm::dvec3& direction);
 interlume::ScatteringLight MakeLightAt(
   const interlume::ScatteringMedium& medium, const glm::dvec3& position);
 
-/// Result of a solver. On an error, the message is printed and the field is empty.
+/// Result of the solver. On an error, the message is printed and the field is empty.
 struct Solved
 {
   interlume::ScatteredLight Field;
@@ -37,7 +37,7 @@ Solved Solve(const interlume::ScatteringMedium& medium,
   const interlume::ScatteringSettings& settings = {});
 
 /// An infinite slab of optical depth Depth along z. Cosine is the cosine between the light
-/// direction and z. Mirrors at the other faces make the slab infinite.
+/// direction and z. Mirrors at the lateral faces make the slab infinite.
 struct Slab
 {
   double G = 0.0;
@@ -58,8 +58,8 @@ struct SlabFlux
   double Reflected = 0.0;
   double Transmitted = 0.0;
 };
-/// Integrates the radiance over all directions. The radiance follows from \a field and the phase
-/// function. The direct light has \a parts times as many layers as the field.
+/// Integrates the radiance over all directions. The radiance is computed from \a field and the
+/// phase function. The direct light is computed in \a parts sublayers of each layer of the field.
 SlabFlux IntegrateSlabFlux(const Slab& slab, const interlume::ScatteringMedium& medium,
   const interlume::ScatteredLight& field, int parts = 1);
 

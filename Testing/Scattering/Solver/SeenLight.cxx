@@ -28,8 +28,8 @@ glm::dvec3 GetDirection(Random& random)
 }
 }
 
-/// The cells along a ray. Positions are in units of cells from the lower corner, lengths are in
-/// world units.
+/// Visits the cells along a ray. Positions are in units of cells from the lower corner, and lengths
+/// are in world units.
 class SeenLight::Walk
 {
 public:
@@ -316,7 +316,8 @@ std::vector<SeenLight::Energy> SeenLight::GetEnergy(
       {
         incoming += this->SampleIncomingLight(light, random);
       }
-      // Half of the ray directions are distributed like the single scattering of the lights.
+      // Without point lights, half of the ray directions are distributed like the single scattering
+      // of the lights.
       glm::dvec3 out = GetDirection(random);
       double density = 1.0;
       if (!hasPointLights)

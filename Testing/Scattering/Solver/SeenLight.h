@@ -26,7 +26,8 @@ public:
   SeenLight(const interlume::ScatteringMedium& medium,
     const std::vector<interlume::ScatteringLight>& lights, double g);
 
-  /// Energy as in ScatteringReport, with the standard error of the difference.
+  /// Incoming and outgoing energy as in ScatteringReport, and the standard error of their
+  /// difference.
   struct Energy
   {
     double Incoming = 0.0;

@@ -23,7 +23,7 @@ using namespace interlume;
 constexpr double Depth = 3.0;
 constexpr double Variance = 0.004;
 
-/// A beam in the central column of cells, along an axis of a box of cells.
+/// A beam in the central column of cells of a box, parallel to an axis.
 struct Pencil
 {
   Pencil(int lateral, int along, int axis, bool isBackwards)
@@ -83,8 +83,8 @@ struct Pencil
 
 void CheckSpread(Check& check)
 {
-  // The last printed columns are the largest relative errors of variance and sum, for layers beyond
-  // a quarter of the depth.
+  // The last two printed columns are the largest relative errors of variance and sum, for layers
+  // beyond a quarter of the depth.
   std::cout << "lateral along axis  largest error of variance, of sum\n";
   for (const auto& [lateral, along, axis, isBackwards, bound] :
     std::vector<std::tuple<int, int, int, bool, double>>{ { 33, 32, 2, false, 3e-4 },

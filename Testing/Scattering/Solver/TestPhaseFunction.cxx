@@ -15,15 +15,15 @@ using interlume::PhaseFunction;
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Integrates p times a power of the cosine over the sphere. Steps are smaller near both ends of
-/// the interval.
+/// Integrates the phase function times a power of the cosine over all directions with a cosine
+/// above \a lower. Steps are smaller near both ends of the interval.
 double Integrate(const PhaseFunction& phase, int power, double lower = -1.0)
 {
   constexpr int steps = 40000;
   double sum = 0.0;
   for (int i = 0; i < steps; ++i)
   {
-    // The cosine is a smooth step of t with zero slope at its ends.
+    // The cosine is a smooth step of t with zero slope at both ends.
     const double t = (i + 0.5) / steps;
     const double smoothStep = t - std::sin(2.0 * Pi * t) / (2.0 * Pi);
     const double cosine = lower + (1.0 - lower) * smoothStep;
@@ -59,7 +59,7 @@ void CheckTable(Check& check)
   PhaseFunction table;
   check.That(!table.SetTable({ 7.0, 7.0, 7.0 }), "a table is accepted");
   check.Near(table.Value(-0.7), 1.0 / (4.0 * Pi), 1e-12, "a constant table is isotropic");
-  // p = (1 + cosine) / (4 pi).
+  // The table describes p = (1 + cosine) / (4 pi).
   check.That(!table.SetTable({ 0.0, 1.0, 2.0 }), "a table may contain 0");
   check.Near(table.Value(0.5), 1.5 / (4.0 * Pi), 1e-12, "linear between values");
   check.Near(table.Moment(0), 1.0, 1e-12, "normalized");

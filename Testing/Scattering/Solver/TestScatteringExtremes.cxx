@@ -78,7 +78,8 @@ private:
   StabilityCatalogue Catalogue;
 };
 
-/// Returns the largest difference between two fluences, relative to the largest fluence.
+/// Returns the largest difference between the fluences of two fields, relative to the largest
+/// fluence of the second field.
 double Difference(const ScatteredLight& a, const ScatteredLight& b)
 {
   double largest = 0.0;
@@ -128,8 +129,8 @@ void TestMedia(SolverTable& table)
     "fluence minus albedo / (1 - albedo)", closed.Field.Fluence[0].x - 9.0, 0.01);
 }
 
-/// Returns the largest difference of a channel from the solution in which all three channels have
-/// its albedo and light, relative to the largest fluence.
+/// Compares each channel with a solution in which all channels have that channel's albedo and
+/// light. Returns the largest difference, relative to the largest fluence.
 double CompareChannels(const ScatteringMedium& medium, const glm::vec3& color)
 {
   const auto solve = [](const ScatteringMedium& own, const glm::vec3& light)
@@ -178,7 +179,7 @@ void TestChannels(SolverTable& table)
       CompareChannels(MakeMedium(glm::ivec3(6), depth, glm::vec3(1.0f), 0.0), glm::vec3(1.0f)),
       1e-5);
   }
-  // The sources of the scattered light are equal, but not the absorption.
+  // The source terms of all channels are equal, but the absorption differs.
   table.Measure("channels-source", "the same product of light and albedo in all channels", expected,
     CompareChannels(MakeMedium(glm::ivec3(6), 60.0, glm::vec3(1.0f, 0.5f, 0.25f), 0.0),
       glm::vec3(0.25f, 0.5f, 1.0f)),

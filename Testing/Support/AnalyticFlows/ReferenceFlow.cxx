@@ -47,7 +47,7 @@ Flow Flow::Rotation(double rate)
 Flow Flow::RoundSphere()
 {
   Flow flow;
-  // v = e + e / (2 r^3) - 3 x (x . e) / (2 r^5)
+  // v = e + e / (2 r^3) - 3 x (x . e) / (2 r^5), where e is the unit vector along x and r = |x|
   flow.Velocity = [](const double* x, double* v)
   {
     const double r2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];

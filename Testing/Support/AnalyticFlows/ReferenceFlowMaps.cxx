@@ -52,7 +52,7 @@ FlowMatrix CrossMatrix(const FlowVector& a)
   return { { 0.0, -a[2], a[1], a[2], 0.0, -a[0], -a[1], a[0], 0.0 } };
 }
 
-// Scales the matrix down until the series converges quickly, then squares the result repeatedly.
+// Halves the matrix until its Taylor series converges quickly, then squares the sum as many times.
 FlowMatrix Exponential(const FlowMatrix& matrix)
 {
   double size = 0.0;

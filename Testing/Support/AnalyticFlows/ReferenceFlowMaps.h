@@ -10,7 +10,7 @@ class vtkDataSet;
 class vtkPolyData;
 
 /**
- * Analytic flow maps of velocity fields, which tests compare with computed flow maps.
+ * Analytic flow maps, which tests compare with computed flow maps.
  */
 namespace reference
 {
@@ -21,16 +21,15 @@ using FlowMatrix = std::array<double, 9>;
 using FlowFunction = std::function<FlowVector(const FlowVector&)>;
 
 FlowVector Multiply(const FlowMatrix& matrix, const FlowVector& x);
-/// Returns the matrix exponential.
 FlowMatrix Exponential(const FlowMatrix& matrix);
-/// Returns the matrix of the cross product with \a a: x -> cross(a, x).
+/// Returns the matrix A with A x = cross(a, x).
 FlowMatrix CrossMatrix(const FlowVector& a);
 
 ///@{
 /**
- * Returns the position at time t (which may be negative) of the particle that is at x at time 0 in
- * a field of vtkAnalyticFlowSource. \a axis and \a normal may have any length except 0. The linear
- * field is dx/dt = matrix (x - center).
+ * Returns the position at time t, which may be negative, of the particle that is at x at time 0.
+ * MapLinear() is for the field dx/dt = matrix (x - center), the other functions are for the fields
+ * of vtkAnalyticFlowSource. \a axis and \a normal need not be unit vectors, but must not be 0.
  */
 FlowVector MapUniform(const FlowVector& x, const FlowVector& velocity, double t);
 FlowVector MapRotation(const FlowVector& x, const FlowVector& center, const FlowVector& axis,
@@ -45,11 +44,11 @@ FlowVector MapLinear(
   const FlowVector& x, const FlowVector& center, const FlowMatrix& matrix, double t);
 ///@}
 
-/// Evaluates a function at the points of a dataset and stores the values as the active vectors
-/// `Velocity`, of type double.
+/// Evaluates a function at the points of a dataset and stores the values in double precision as the
+/// active point vectors `Velocity`.
 void SetVelocity(vtkDataSet* data, const FlowFunction& function);
 
-/// Returns the bytes of all points, cells and point arrays, for bitwise comparisons.
+/// Returns the bytes of all points, vertex cells, lines and point arrays, for bitwise comparisons.
 std::string GetBytes(vtkPolyData* data);
 
 }

@@ -33,8 +33,8 @@ double GetTurns(double x, double y)
   return turns < 0.0 ? turns + 1.0 : turns;
 }
 
-// Calls visit with the corners of each cell that has the given array value. If no array is named,
-// all cells are visited.
+// Calls visit with the corners of each cell whose value in the cell array is \a value, or of every
+// cell if \a array is null.
 template <typename Visitor>
 void ForEachSimplex(vtkUnstructuredGrid* grid, const char* array, int value, Visitor&& visit)
 {
@@ -56,7 +56,7 @@ void ForEachSimplex(vtkUnstructuredGrid* grid, const char* array, int value, Vis
   }
 }
 
-// Returns half the cross product of two edges.
+// Returns the normal of the first three corners, with the area of their triangle as its length.
 Vector GetAreaVector(const Vector corners[4])
 {
   return 0.5 * Cross(corners[1] - corners[0], corners[2] - corners[0]);

@@ -7,10 +7,11 @@
 namespace reference
 {
 
-/// Returns the weight of a noise grid point at distance \a t, in units of the grid spacing.
+/// Returns the weight of a noise grid point at distance \a t, which is in units of the grid
+/// spacing.
 double GetTent(double t);
 
-/// Returns the noise of vtkFlowLIC at a point, reimplemented from its class documentation.
+/// Returns the noise of vtkFlowLIC at \a x, from an independent implementation.
 double GetNoise(const std::array<double, 3>& x, double scale, int seed);
 
 }

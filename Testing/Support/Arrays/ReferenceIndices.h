@@ -11,8 +11,7 @@ namespace reference
 
 /**
  * @class   IndexRange
- * @brief   range over all index tuples below given sizes, in the order of nested loops; the last
- * index varies fastest
+ * @brief   range over all index tuples of a multidimensional array, in row-major order
  *
  * @code
  * for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
@@ -70,7 +69,7 @@ private:
   std::array<T, N> Sizes;
 };
 
-/// Returns the range of all indices below \a sizes.
+/// Returns the range of all index tuples with each index below its size.
 template <typename... Size>
 auto AllIndices(Size... sizes)
 {

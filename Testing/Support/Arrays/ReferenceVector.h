@@ -62,14 +62,14 @@ std::array<T, 3> Cross(const std::array<T, 3>& a, const std::array<T, 3>& b)
   return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
 }
 
-/// Returns the length of a vector. Squares of large components do not overflow.
+/// Returns the length of a vector, without overflow for large components.
 template <typename T>
 T GetNorm(const std::array<T, 3>& a)
 {
   return std::hypot(a[0], a[1], a[2]);
 }
 
-/// Returns whether a point is within bounds such as vtkDataSet::GetBounds() returns.
+/// Returns whether a point is inside or on bounds in the order of vtkDataSet::GetBounds().
 inline bool IsWithin(const double* x, const double* bounds)
 {
   return x[0] >= bounds[0] && x[0] <= bounds[1] && x[1] >= bounds[2] && x[1] <= bounds[3] &&

@@ -29,7 +29,7 @@ bool Check::Equal(long long found, long long expected, const std::string& what)
 bool Check::Near(
   double found, double expected, double tolerance, const std::string& what, double scale)
 {
-  // This comparison fails for NaN.
+  // If found or expected is NaN, the comparison with this bound is false.
   const double bound = tolerance * std::max(std::abs(expected), scale);
   const bool near = std::abs(found - expected) <= bound;
   std::ostringstream text;

@@ -24,8 +24,8 @@ public:
   bool That(bool condition, const std::string& what);
   /// Expects found == expected.
   bool Equal(long long found, long long expected, const std::string& what);
-  /// Deleted, because it would truncate floating-point values to integers. Use Near(); tolerance 0
-  /// tests for equality.
+  /// Deleted, because the overload above would truncate floating-point values to integers. Use
+  /// Near(), with tolerance 0 to test for equality.
   template <typename Found, typename Expected,
     typename = std::enable_if_t<std::is_floating_point<Found>::value ||
       std::is_floating_point<Expected>::value>>
@@ -33,9 +33,9 @@ public:
   /// Expects |found - expected| <= tolerance * max(|expected|, scale).
   bool Near(
     double found, double expected, double tolerance, const std::string& what, double scale = 0.0);
-  /// Expects \a part as a substring of \a text.
+  /// Expects \a text to contain \a part.
   bool Contains(const std::string& text, const std::string& part);
-  /// Sets the text that is printed before each later failure.
+  /// Sets the prefix of all subsequent failure messages.
   void SetContext(const std::string& context) { this->Context = context; }
 
   int GetNumberOfFailures() const { return this->Failures; }

@@ -15,7 +15,7 @@ Exact::Exact(double value)
 
 void Exact::Add(double value)
 {
-  // Adds the value to each term by two-sum, starting with the smallest term. Each rounding error
+  // Carries the value through the terms by two-sum, smallest term first. Each rounding error
   // becomes a term.
   std::vector<double> terms;
   double carried = value;

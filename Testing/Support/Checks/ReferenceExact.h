@@ -10,8 +10,8 @@ namespace reference
 
 /**
  * @class   Exact
- * @brief   number with exact sums, differences and products, stored as a sum of doubles whose
- * digits do not overlap
+ * @brief   number with exact sums, differences and products, stored as a sum of nonoverlapping
+ * doubles
  *
  * After J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
  * predicates", 1997. Results are exact unless a value overflows or becomes subnormal.
@@ -28,7 +28,7 @@ public:
 
   /// Returns the sign: -1, 0 or 1.
   int Sign() const;
-  /// Returns the nearest number, up to an error in the last bit.
+  /// Returns the value rounded to long double, up to an error in the last bit.
   long double Round() const;
 
 private:
@@ -39,7 +39,8 @@ private:
 
 using ExactPoint = std::array<Exact, 3>;
 
-/// Returns six times the signed volume of a tetrahedron, with the sign of Determinant().
+/// Returns six times the signed volume of a tetrahedron. It is positive if the first three points
+/// are counterclockwise seen from the fourth.
 Exact ExactDeterminant(const std::array<ExactPoint, 4>& points);
 
 }

@@ -21,11 +21,13 @@ class vtkAlgorithm;
 namespace reference
 {
 
-/// Calls \a run with 1, 2 and 8 threads of every vtkSMPTools backend. The context of the checks is
-/// \a name, the backend and the number of threads. At least one backend must run several threads.
+/// Calls \a run with 1, 2 and 8 threads of each available vtkSMPTools backend. The context of the
+/// checks is \a name, the backend and the number of threads. At least one backend besides
+/// Sequential must be available.
 void ForThreads(const std::string& name, const std::function<void()>& run, Check& check);
 
-/// Checks that \a run returns the same value for any number of threads as with one thread.
+/// Checks that \a run returns the same value for every backend and number of threads as with one
+/// thread.
 template <typename Run>
 void CheckSame(const std::string& name, const Run& run, Check& check)
 {
@@ -39,9 +41,9 @@ void CheckSame(const std::string& name, const Run& run, Check& check)
 }
 
 /// Checks that \a filter reports progress at least \a events times and that progress never
-/// decreases. After an abort at any of \a times (fractions of the work), the output must be a
-/// dataset without points and cells. The next update must return the complete output. \a update
-/// updates the filter and returns the bytes of its output.
+/// decreases. After an abort when progress reaches any of \a times, the output must be a dataset
+/// without points or cells. The next update must return the complete output. \a update updates the
+/// filter and returns the bytes of its output.
 void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<double>& times,
   const std::function<std::string()>& update, Check& check);
 

@@ -14,18 +14,20 @@ namespace reference
 /// Updates a filter and returns the errors of the filter and its executive.
 std::string MessagesOf(vtkAlgorithm* filter);
 
-/// Calls \a act and returns the errors of \a object on one line.
+/// Calls \a act and returns the errors of \a object as a single line.
 std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
 
-/// Removes line breaks and the source location that VTK puts before a message.
+/// Removes the source location that VTK puts before a message, and replaces line breaks with
+/// spaces.
 std::string InOneLine(const std::string& message);
 
 /// Updates a filter and returns its warnings.
 std::string WarningsOf(vtkAlgorithm* filter);
 
 /**
- * Updates a filter whose output is a mesh. The filter must warn of an empty output on port 0. Any
- * other warning is printed in the format of VTK's logger, which fails the test.
+ * Updates a filter whose output on port 0 is a mesh. The filter must warn if and only if the mesh
+ * has no cells. If a warning is missing or unexpected, prints a line in the format of VTK's logger,
+ * which fails the test.
  */
 void UpdateWatched(vtkAlgorithm* filter);
 

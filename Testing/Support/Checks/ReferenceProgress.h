@@ -22,15 +22,15 @@ struct ProgressWatch
   std::vector<double> Progress;
   /// Aborts the filter at this progress. The default is never reached.
   double AbortAt = 2;
-  /// Aborts the filter after this number of progress events.
+  /// Aborts the filter at the first progress event after this number of events.
   std::size_t AbortAfter = 1000000;
 };
 
 /// Adds an observer and returns its tag. \a watch must outlive the observer.
 unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch);
 
-/// Checks that progress was reported at least \a times times, never decreased, and was between 0
-/// and 1.
+/// Checks that there were at least \a times progress events, and that progress never decreased and
+/// was between 0 and 1.
 void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check);
 
 /// Checks that the progress of \a filter with the input \a data never decreases. After an abort,

@@ -31,7 +31,7 @@ public:
     return { { this->Get(-size, size), this->Get(-size, size), this->Get(-size, size) } };
   }
 
-  /// Returns a vector of length 1, uniformly distributed over the sphere.
+  /// Returns a random unit vector, uniformly distributed over the unit sphere.
   std::array<double, 3> GetDirection()
   {
     const double z = this->Get(-1.0, 1.0);

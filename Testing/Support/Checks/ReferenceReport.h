@@ -10,7 +10,7 @@ namespace reference
 
 using ReportCopy = vtkSmartPointer<vtkInterlumeReport>;
 
-/// Returns a copy of a report, which keeps its values when the filter or mapper executes again.
+/// Returns a copy of a report. The copy keeps its values when the filter or mapper executes again.
 inline ReportCopy CopyReport(vtkInterlumeReport* report)
 {
   auto copy = ReportCopy::New();

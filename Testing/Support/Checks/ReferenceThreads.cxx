@@ -16,9 +16,8 @@ namespace reference
 
 void SetThreads(int threads)
 {
-  // With TBB, VTK 9.6 only lowers the number of threads, unless Initialize() is called with the
-  // number of processors in between. VTK up to 9.5 ignores a call with the same number as before,
-  // unless another number is set in between.
+  // With TBB, VTK 9.6 raises the number of threads only after Initialize() with the number of
+  // processors. VTK 9.5 and earlier ignore a call with the same number as the previous call.
   vtkSMPTools::Initialize();
   vtkSMPTools::Initialize(static_cast<int>(std::thread::hardware_concurrency()));
   vtkSMPTools::Initialize(threads);

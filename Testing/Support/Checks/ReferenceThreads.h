@@ -24,7 +24,7 @@ void SetThreads(int threads);
 bool HasThreads(bool isUnlikely);
 
 /// Returns the names of the vtkSMPTools backends to compare. Some may be unavailable. With
-/// ThreadSanitizer, backends of libraries that are not instrumented are excluded, since
+/// ThreadSanitizer, backends whose libraries are not instrumented are excluded, since
 /// ThreadSanitizer does not see their locks.
 const std::vector<const char*>& GetBackends();
 

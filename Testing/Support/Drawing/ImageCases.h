@@ -12,12 +12,12 @@
 class vtkUnstructuredGrid;
 
 /**
- * Meshes and arrays for rendering tests of tetrahedra.
+ * Tetrahedral meshes and arrays for rendering tests.
  */
 namespace reference
 {
 
-/// Returns the unit cube, divided into cells^3 boxes of five tetrahedra. Points are in double
+/// Returns the unit cube, divided into cells^3 boxes of five tetrahedra each. Points are in double
 /// precision. The active scalars are `f` = 0.1 + 0.5 x + 0.3 y + 0.1 z, from 0.1 to 1.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCube(int cells);
 
@@ -29,11 +29,11 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeBox(const std::array<int, 3>& cells);
 /// layer has cells^2 boxes of five tetrahedra. The scalars are `f` of MakeCube().
 vtkSmartPointer<vtkUnstructuredGrid> MakeLayers(int cells, const std::vector<double>& z);
 
-/// Moves every point p to origin + scale * p * stretch, component by component.
+/// Moves every point p to origin + scale * stretch * p. Vectors are multiplied componentwise.
 void MovePoints(vtkUnstructuredGrid* grid, const Point3& origin, double scale,
   const Point3& stretch = { { 1.0, 1.0, 1.0 } });
 
-/// Adds a point array with the value constant + gradient . p at each point p.
+/// Adds a point array whose value at each point p is constant + gradient . p.
 void AddLinear(
   vtkUnstructuredGrid* grid, const std::string& name, double constant, const Point3& gradient);
 
@@ -41,7 +41,7 @@ void AddLinear(
 /// divided into \a slabs equal slabs along the axis.
 void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int slabs);
 
-/// Returns the length of a view ray inside the bounds of a grid.
+/// Returns the length of the part of a view ray inside the bounds of a grid.
 double BoxChord(vtkUnstructuredGrid* grid, const Ray& ray);
 
 }

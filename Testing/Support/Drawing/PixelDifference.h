@@ -10,9 +10,8 @@ class vtkImageData;
 namespace interlume
 {
 /**
- * Difference of two images with 8-bit channels, per pixel and channel. Pixels are compared only
- * with the pixel at the same position, without averaging or threshold. Channel differences are in
- * steps of 1/255.
+ * Difference of two images with 8-bit channels. Each pixel is compared with the pixel at the same
+ * position, without averaging or threshold. Channel differences are in units of 1/255.
  */
 struct PixelDifference
 {
@@ -28,16 +27,16 @@ struct PixelDifference
 };
 
 /**
- * Tolerances of a regression image. They allow for different rounding by another rasterizer along a
- * few silhouettes, but not for visible differences.
+ * Tolerances for the comparison with a regression image. They allow for different rounding by
+ * another rasterizer along a few silhouettes, but not for visible differences.
  */
 struct PixelBounds
 {
   /// Largest mean difference.
   double Mean = 0.5;
-  /// Largest difference of a channel in a pixel that counts as unchanged.
+  /// A pixel counts as changed if any channel differs by more than this value.
   int Step = 8;
-  /// Largest fraction of changed pixels.
+  /// Largest allowed fraction of changed pixels.
   double FractionAboveStep = 0.002;
 };
 
@@ -46,9 +45,6 @@ struct PixelBounds
  */
 PixelDifference ComparePixels(vtkImageData* image, vtkImageData* baseline, int step);
 
-/**
- * Returns whether \a difference is within \a bounds.
- */
 bool IsWithin(const PixelDifference& difference, const PixelBounds& bounds);
 
 std::ostream& operator<<(std::ostream& os, const PixelDifference& difference);

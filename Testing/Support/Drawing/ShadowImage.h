@@ -13,7 +13,7 @@ namespace reference
 
 class VolumeStage;
 
-/// Sets the image, array, shadow, transmission, cropping and clipping settings of a scene on a
+/// Applies the image, array, shadow, transmission, cropping and clipping settings of a scene to a
 /// mapper.
 void Configure(vtkShadowedSliceMapper* mapper, const ShadowScene& scene);
 

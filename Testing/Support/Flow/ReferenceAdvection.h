@@ -14,24 +14,26 @@ namespace reference
 {
 
 ///@{
-/// Traces one streamline with interlume::Advection through all of space, a box, or a regular grid.
+/// Traces one streamline with interlume::Advection through unbounded space, a box, or a regular
+/// grid.
 interlume::AdvectionResult Advect(
   const SpaceWalker& field, const interlume::AdvectionOptions& options, Position start);
 interlume::AdvectionResult Advect(
   const BoxWalker& field, const interlume::AdvectionOptions& options, Position start);
 ///@}
 
-/// Advection options that keep their surfaces alive.
+/// Advection options that own their termination surfaces.
 struct KeepingOptions : interlume::AdvectionOptions
 {
   std::vector<vtkSmartPointer<FormulaSurface>> OwnedSurfaces;
 };
-/// Returns options for forward advection with a maximum error of 1e-6 and without surfaces.
+/// Returns options for forward advection with a maximum error of 1e-6 and without termination
+/// surfaces.
 KeepingOptions ForwardOptions();
-/// Returns ForwardOptions() with surfaces, whose ids are 10, 20, 30 and so on.
+/// Returns ForwardOptions() with termination surfaces, which get the ids 10, 20, 30 and so on.
 KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces);
 
-/// Returns the number of accepted and rejected steps of both integration methods.
+/// Returns the number of all steps, accepted and rejected, nonstiff and stiff.
 int NumberOfSteps(const interlume::AdvectionResult& result);
 double Distance(const double a[3], const Position& b);
 /// Returns text such as "reached surface 10 at (u, v), time t after n steps".

@@ -9,7 +9,7 @@ namespace reference
 
 /**
  * @class   Plane
- * @brief   rectangle in the plane x = 0 with a corner at the origin; u along y and v along z
+ * @brief   rectangle in the plane x = 0 with a corner at the origin, u along y and v along z
  */
 class Plane : public vtkTerminationSurface
 {
@@ -32,8 +32,8 @@ private:
 
 /**
  * @class   Cylinder
- * @brief   cylinder around the z-axis from z = 0 to 1; u is the angle in turns, and a range of u
- * can be removed
+ * @brief   cylinder around the z-axis from z = 0 to 1, where u is the angle in turns and v is z; a
+ * range of u can be removed
  */
 class Cylinder : public vtkTerminationSurface
 {

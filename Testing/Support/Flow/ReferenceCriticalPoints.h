@@ -17,24 +17,24 @@ class vtkDataArray;
 class vtkDataSet;
 
 /**
- * Vector fields with known critical points, and a wrapper of vtkFlowCriticalPoints.
+ * Vector fields with known critical points, and a wrapper for vtkFlowCriticalPoints.
  */
 namespace reference
 {
 
-/// Cell types of the meshes that are searched for critical points.
+/// Kinds of meshes in which tests search for critical points.
 extern const std::vector<MeshKind> ZeroMeshKinds;
 
 /// A matrix without any symmetry.
 constexpr FlowMatrix GenericMatrix = { { 0.9, -0.4, 0.3, 0.2, 1.1, -0.7, -0.5, 0.6, -0.8 } };
 
-/// Positions of zeros in a mesh of 3 x 4 x 2 boxes: inside cells, on faces, edges and points of
-/// cells and of their tetrahedra, and on the boundary of the mesh.
+/// Positions of zeros in a mesh of 3 x 4 x 2 unit boxes: inside cells, on faces, edges and points
+/// of cells and of their tetrahedra, and on the boundary of the mesh.
 extern const std::array<FlowVector, 14> ZeroPositions;
 
 double Distance(const double* a, const double* b);
 
-/// Returns the determinant of a matrix of nine entries.
+/// Returns the determinant of a 3 x 3 matrix.
 double Determinant(const double* m);
 
 /// Returns the field v(x) = \a matrix * (x - \a center).
@@ -42,7 +42,8 @@ FlowFunction LinearField(const FlowMatrix& matrix, const FlowVector& center);
 
 /**
  * @class   CriticalPoints
- * @brief   critical points of the active point vectors of a dataset
+ * @brief   critical points that vtkFlowCriticalPoints finds in the active point vectors of a
+ * dataset
  */
 class CriticalPoints
 {

@@ -100,7 +100,7 @@ VectorField MakeBend(const std::array<int, 3>& cells, double bend)
     double inside = bend;
     for (int i = 0; i < 3; ++i)
     {
-      // On the boundary the factor must be exactly 0, but the sine is not.
+      // On the boundary the factor must be exactly 0, but the computed sine of pi is not.
       inside *= x[i] <= 0.0 || x[i] >= cells[i] ? 0.0 : std::sin(Pi * x[i] / cells[i]);
     }
     return Vector{ { x[0] + inside * std::sin(2.9 * x[1] + 1.7 * x[2]),

@@ -24,7 +24,7 @@ class vtkTerminationPlane;
 class vtkUnstructuredGrid;
 
 /**
- * Grids and velocity fields for flow tests, and samples interpolated by VTK's cells.
+ * Grids and velocity fields for flow tests, and samples interpolated by VTK's cell classes.
  */
 namespace reference
 {
@@ -34,25 +34,25 @@ using VectorField = std::function<Vector(const Vector&)>;
 
 /// Returns A x + b, where the rows of the matrix A are linearly independent.
 Vector GetLinearVector(const Vector& x);
-/// Returns the matrix A of GetLinearVector(), row by row.
+/// Returns the matrix A of GetLinearVector() in row-major order.
 std::array<double, 9> GetLinearGradient();
 
 /// Adds the three-component point array "velocity" with the values of a field at the points, and
 /// makes it the active vectors.
 vtkSmartPointer<vtkDataArray> AddVectors(
   vtkDataSet* data, const VectorField& field, int type = VTK_DOUBLE);
-/// Adds the active vectors "velocity" with random components from -1 to 1.
+/// Like AddVectors(), but with random vector components from -1 to 1.
 vtkSmartPointer<vtkDataArray> AddRandomVectors(
   vtkDataSet* data, unsigned int seed, int type = VTK_DOUBLE);
 
 /// Moves every point x to position(x).
 void MovePoints(vtkPointSet* grid, const VectorField& position);
 
-/// Returns a map that moves interior points of the box of size \a cells by up to \a bend cell
-/// widths. Points on the boundary stay in place.
+/// Returns a map that displaces interior points of the box from 0 to \a cells by at most \a bend
+/// along each axis. Points on the boundary stay in place.
 VectorField MakeBend(const std::array<int, 3>& cells, double bend);
 
-/// Returns a grid of cells of width 1 in the box from 0 to \a cells.
+/// Returns a grid of unit cubes that fills the box from 0 to \a cells.
 vtkSmartPointer<vtkStructuredGrid> MakeStructuredGrid(const std::array<int, 3>& cells);
 
 /// Returns a ring around the z-axis: i runs outward from radius 1 to 2, j around the axis, k along
@@ -62,8 +62,8 @@ vtkSmartPointer<vtkStructuredGrid> MakeRing(const std::array<int, 3>& cells);
 /// Returns the mesh kinds for which MakeFlowMesh() returns only tetrahedra, voxels, hexahedra,
 /// wedges and pyramids.
 const std::vector<MeshKind>& FlowMeshKinds();
-/// Returns the mesh of MakeMesh() with its polyhedra converted to wedges and voxels, or hexahedra
-/// if \a hasVoxels is false.
+/// Returns the mesh of MakeMesh() with polyhedra converted to wedges and voxels. If \a hasVoxels is
+/// false, hexahedra replace all voxels.
 vtkSmartPointer<vtkUnstructuredGrid> MakeFlowMesh(
   MeshKind kind, const std::array<int, 3>& cells, bool hasVoxels = true, unsigned int seed = 1);
 
@@ -72,14 +72,16 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeFlowMesh(
 /// points along each axis.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids();
 
-/// Returns an image of points^3 points over the cube from 0 to 4, with the vectors of a field.
+/// Returns an image of points^3 points over the cube from 0 to 4, with \a field sampled by
+/// AddVectors().
 vtkSmartPointer<vtkImageData> MakeFlowImage(int points, const VectorField& field);
 
-/// Returns the square in the plane x = \a position with y and z from 0 to 4; u along y and v along
+/// Returns the square in the plane x = \a position with y and z from 0 to 4, u along y and v along
 /// z.
 vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double position);
 
-/// A position in a cell with the velocity that VTK's cell interpolates.
+/// A position in a cell, with the velocity and velocity gradient that VTK's cell classes return
+/// there.
 struct CellSample
 {
   vtkIdType Cell;
@@ -88,8 +90,8 @@ struct CellSample
   /// Entry 3 i + j is dv_i/dx_j.
   std::array<double, 9> Gradient;
 };
-/// Returns a random sample in a cell, at least a hundredth of its size away from its faces. The
-/// gradient is 0 unless \a hasGradient is true.
+/// Returns a sample at a random position in a cell, at least 1 % of the cell width away from its
+/// faces. The gradient is 0 unless \a hasGradient is true.
 CellSample SampleCell(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, Random& random,
   bool hasGradient = false);
 

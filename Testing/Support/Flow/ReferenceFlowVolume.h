@@ -18,17 +18,18 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Returns the square in the plane x = \a position with y and z from -5 to 5; u along y and v along
+/// Returns the square in the plane x = \a position with y and z from -5 to 5, u along y and v along
 /// z.
 vtkSmartPointer<vtkTerminationPlane> MakeWidePlane(double position);
 
-/// Returns the flow volume of samples, with double-precision points. Warnings are allowed.
+/// Returns the flow volume of an implicit flow field, with double-precision points. Warnings are
+/// allowed.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractFlow(vtkDataSet* samples);
 
 /// Like ExtractFlow(), but omits the cells that ExtractFlow() cuts at surfaces and boundaries.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractUncutFlow(vtkDataSet* samples);
 
-/// Returns the total volume of the tetrahedra whose center is in a region.
+/// Returns the total volume of the tetrahedra whose centers satisfy \a isInside.
 double MeasureVolumeIn(
   vtkUnstructuredGrid* mesh, const std::function<bool(const double*)>& isInside);
 

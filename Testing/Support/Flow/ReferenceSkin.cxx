@@ -19,8 +19,8 @@ namespace reference
 vtkSmartPointer<vtkPolyData> MakeSkin(
   vtkDataSet* grid, const std::function<bool(const Vector& center)>& isWanted, int type)
 {
-  // Maps the sorted points of a face to its points in the cell's order and the number of cells that
-  // share it.
+  // Maps the sorted point ids of a face to the ids in the cell's order and the number of cells that
+  // share the face.
   using Ids = std::vector<vtkIdType>;
   std::map<Ids, std::pair<Ids, int>> faces;
   for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)

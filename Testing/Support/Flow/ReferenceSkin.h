@@ -15,9 +15,9 @@ namespace reference
 {
 
 /**
- * Returns the boundary faces of a grid whose centers satisfy \a isWanted, as polygons. All points
- * have the texture coordinates (0.25, 0.75). The output has all points of the grid. \a type is the
- * data type of their coordinates.
+ * Returns the boundary faces of a grid as polygons, but only those whose center satisfies \a
+ * isWanted. The output has all points of the grid, with coordinates of the data type \a type. All
+ * points have the texture coordinates (0.25, 0.75).
  */
 vtkSmartPointer<vtkPolyData> MakeSkin(vtkDataSet* grid,
   const std::function<bool(const Vector& center)>& isWanted, int type = VTK_DOUBLE);

@@ -23,10 +23,10 @@ public:
   static FormulaSurface* New();
   vtkTypeMacro(FormulaSurface, vtkTerminationSurface);
 
-  /// Returns the plane dot(normal, x) = offset, where the normal has length 1. u and v are x[j] and
-  /// x[k].
+  /// Returns the plane dot(normal, x) = offset, where \a normal is a unit vector. u and v are x[j]
+  /// and x[k].
   static vtkSmartPointer<FormulaSurface> Plane(const Position& normal, double offset, int j, int k);
-  /// Returns a sphere; u is the azimuth in turns, v the polar angle in half turns.
+  /// Returns a sphere, where u is the azimuth in turns and v is the polar angle in half turns.
   static vtkSmartPointer<FormulaSurface> Sphere(const Position& center, double radius);
 
   double EvaluateDistance(const double x[3]) const override { return this->Distance(x); }
@@ -42,9 +42,10 @@ public:
 
   std::function<double(const double x[3])> Distance;
   std::function<void(const double x[3], double uv[2])> Parameters;
-  /// If empty, the surface is unbounded.
+  /// Returns whether a point is within the extent of the surface. If empty, the surface is
+  /// unbounded.
   std::function<bool(const double x[3])> Extent;
-  /// If empty, the surface has one part.
+  /// Returns the part of the surface nearest to x. If empty, the surface has one part.
   std::function<int(const double x[3])> Part;
 
 protected:

@@ -16,8 +16,8 @@ namespace reference
 namespace
 {
 
-// Returns the difference between two parameters, or the shortest difference if the parameter is
-// periodic.
+// Returns the difference a - b of two values of a parameter, or the shortest difference if the
+// parameter is periodic.
 double Difference(const vtkTerminationSurface* surface, int direction, int part, double a, double b)
 {
   const double difference = a - b;

@@ -19,7 +19,7 @@ using Vector = std::array<double, 3>;
 
 double DistanceOf(const vtkTerminationSurface* surface, const Vector& x);
 
-/// Size and position of a surface, with the rounding error to expect.
+/// Size and position of a surface, and the expected rounding error.
 struct SurfaceScale
 {
   double Size = 1.0;
@@ -28,34 +28,34 @@ struct SurfaceScale
   double Rounding = 1e-12;
 };
 
-/// Returns the scales of surfaces of size 1, very small, very large, and far from the origin.
+/// Returns four scales: size 1, very small, very large, and size 1 far from the origin.
 std::vector<SurfaceScale> MakeSurfaceScales();
 
 /// Returns random points around a surface.
 std::vector<Vector> PointsAround(const SurfaceScale& scale, int number, unsigned seed);
 
-/// Checks that the surface distances of two points differ by at most the distance between the
-/// points.
+/// Checks that the distances of two points from the surface differ by at most the distance between
+/// the points.
 void CheckLipschitz(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::string& name, Check& check);
 
 /// Checks that points computed from random parameters are on the surface, in its bounds, and have
-/// these parameters. At least \a number random parameters must have a point.
+/// these parameters. EvaluatePoint() must find a point for at least \a number of the parameters.
 void CheckRoundTrip(const vtkTerminationSurface* surface, const SurfaceScale& scale, int number,
   const std::string& name, Check& check);
 
 /// Checks at points with random parameters that the gradient of the distance is the unit normal,
-/// and that a small step along the normal, to either side, changes the distance by its length.
+/// and that a small step along the normal, to either side, changes the distance by the step length.
 void CheckNormals(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::string& name, Check& check);
 
-/// Checks the distance against a formula.
+/// Checks the distance against the formula \a expected.
 void CheckDistance(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::function<double(const Vector&)>& expected, const std::string& name, Check& check);
 
-/// Samples each part of the surface at about \a samples^2 points and compares the absolute distance
-/// with the distance from the nearest sample. Every surface point must be within \a spacing of a
-/// sample.
+/// Checks that the absolute distance of random points agrees with their distance from the nearest
+/// of about samples^2 sample points on each part of the surface. The samples must be dense enough:
+/// each point of the surface must be within \a spacing of a sample.
 void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scale, int samples,
   double spacing, const std::string& name, Check& check);
 

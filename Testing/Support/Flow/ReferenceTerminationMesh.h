@@ -26,9 +26,9 @@ struct TexturedMesh
   TexturedMesh Placed(const SurfaceScale& scale) const;
 };
 
-/// Returns a grid of triangles over (u,v) from 0 to 1 whose points are computed by a function.
-/// Points where opposite borders meet, as on a seam, are duplicated. Triangles without area are
-/// skipped.
+/// Returns a triangulated grid over (u,v) in [0, 1]^2, with points at \a position(u, v) and texture
+/// coordinates (u,v). Points where opposite borders meet, as on a seam, are duplicated. Triangles
+/// without area are skipped.
 TexturedMesh MakeGridMesh(
   int columns, int rows, const std::function<Vector(double, double)>& position);
 
@@ -37,17 +37,15 @@ TexturedMesh MakeSolid(
   const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles);
 
 TexturedMesh MakeTetrahedron();
-/// Returns a cube with a thin spike on every face. It has concave edges, sharp edges and sharp
-/// tips.
+/// Returns a cube with a spike on every face. It has concave edges, sharp edges and sharp tips.
 TexturedMesh MakeStar();
 
 /// Returns points where the sign of the distance is hard to determine: near corners and edges, and
-/// outside each face in its plane.
+/// outside each triangle, in its plane.
 std::vector<Vector> DifficultPositions(const TexturedMesh& mesh);
 
-/// Returns the distance from the nearest triangle, by comparison with all triangles. The distance
-/// from a triangle is the distance from its plane if the projected point is inside, otherwise from
-/// its nearest edge.
+/// Returns the distance from the nearest of all triangles. The distance from a triangle is the
+/// distance from its plane if the projected point is inside, otherwise from its nearest edge.
 double NearestDistance(const TexturedMesh& mesh, const Vector& x);
 /// Returns the winding number of the mesh around a point: the sum of the solid angles of its
 /// triangles, divided by 4 pi (A. van Oosterom, J. Strackee, 1983).

@@ -20,12 +20,12 @@
 #include <vector>
 
 /**
- * Checks for all kinds of cell walkers. They use the walker's public interface only.
+ * Checks for all types of cell walkers. They use only the public interface of a walker.
  */
 namespace reference
 {
 
-/// Calls \a function with a walker through \a vectors. Errors fail the test.
+/// Calls \a function with a cell walker for the field \a vectors on \a data. Errors fail the test.
 template <typename Function>
 void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
 {
@@ -89,7 +89,7 @@ double GetLargest(const std::array<double, N>& a)
   return largest;
 }
 
-/// Returns the largest magnitude of a coordinate in the bounds.
+/// Returns the largest absolute value of the bounds.
 inline double GetExtent(vtkDataSet* data)
 {
   std::array<double, 6> bounds;
@@ -97,9 +97,9 @@ inline double GetExtent(vtkDataSet* data)
   return GetLargest(bounds);
 }
 
-/// Compares cell id, position, velocity and gradient at random points of every cell with VTK's
-/// cells. Set \a hasGradient to false if VTK's gradient is not usable: in tiny cells and in voxels
-/// of an image with a direction matrix.
+/// Compares cell id, position, velocity and gradient at random points of every cell with those of
+/// VTK's cell classes. Set \a hasGradient to false where VTK's gradient is not usable: in tiny
+/// cells, and in voxels of an image with a direction matrix.
 template <typename Walker>
 void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int samples,
   double tolerance, Check& check, bool hasGradient = true)
@@ -143,7 +143,8 @@ void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int 
   }
 }
 
-/// Compares GetJacobian, GetWorldVector and GetVelocityGradient with finite differences in p.
+/// Compares GetJacobian(), GetWorldVector() and GetVelocityGradient() with finite differences in
+/// local coordinates.
 template <typename Walker>
 void CheckDerivatives(
   Walker walker, vtkDataSet* data, vtkDataArray* vectors, double tolerance, Check& check)
@@ -198,8 +199,7 @@ void CheckDerivatives(
   check.Near(gradients, 0.0, tolerance, "the velocity gradient equals finite differences", 1.0);
 }
 
-/// Checks that a linear field is reproduced with its gradient. The field is GetLinearVector(x /
-/// unit).
+/// Checks that a walker reproduces the linear field GetLinearVector(x / unit) and its gradient.
 template <typename Walker>
 void CheckLinear(Walker walker, vtkDataSet* data, vtkDataArray* vectors, double unit,
   double tolerance, Check& check)
@@ -228,9 +228,9 @@ void CheckLinear(Walker walker, vtkDataSet* data, vtkDataArray* vectors, double 
 
 /**
  * @class   LineWalk
- * @brief   follows a straight line from cell to cell across a walker's faces
+ * @brief   moves a walker along a straight line from cell to cell
  *
- * Between faces, Newton's method finds the position in the cell, starting from the previous one.
+ * In each cell, Newton's method finds the local coordinates of points on the line.
  */
 template <typename Walker>
 class LineWalk
@@ -243,7 +243,7 @@ public:
   {
   }
 
-  /// Returns false if the start is outside the grid or the walk does not end.
+  /// Returns false if the start is outside the grid or the walk stops making progress.
   bool Run(double maximumTime)
   {
     if (!this->Stand.Locate(this->Start.data(), this->P.data()))
@@ -291,7 +291,7 @@ public:
 private:
   Vector GetTarget(double time) const { return this->Start + time * this->Direction; }
 
-  // Converts a world vector dx to local coordinates dp.
+  // Converts a world vector x at p to a change of local coordinates.
   Vector GetLocal(const Vector& p, const Vector& x) const
   {
     Vector columns[3];
@@ -436,8 +436,8 @@ void CheckLines(Walker walker, vtkDataSet* data, int lines, double cellSize, Che
   }
 }
 
-/// Checks that every point of the grid is found at its position, and in the same cell by every copy
-/// of the walker.
+/// Checks that every grid point is found at its position, and that a copy of the walker finds it in
+/// the same cell.
 template <typename Walker>
 void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
 {
@@ -479,7 +479,7 @@ void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
   }
 }
 
-/// Checks that a field linear in x / unit is reproduced.
+/// Adds the linear field GetLinearVector(x / unit) to \a data and calls CheckLinear().
 inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Check& check)
 {
   auto linear =
@@ -488,8 +488,8 @@ inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Ch
     [&](const auto& walker) { CheckLinear(walker, data, linear, unit, tolerance, check); });
 }
 
-/// Checks lines through corners and edges and along faces of 4 x 4 x 4 boxes of size 1. \a name is
-/// a prefix of the context of each check.
+/// Checks lines through corners and edges and along faces of a grid of 4 x 4 x 4 unit cubes. \a
+/// name is the start of the context of each check.
 inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& check)
 {
   const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
@@ -507,8 +507,8 @@ inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& c
     });
 }
 
-/// Hides the cells with i = 2 in 4 x 3 x 3 boxes of size 1. The cell in the center of this layer
-/// becomes a duplicate cell instead, as if another piece owned it.
+/// Hides the cells with i = 2 in a grid of 4 x 3 x 3 cells, except the center cell of this layer,
+/// which becomes a duplicate cell, as if another piece owned it.
 inline void HideRow(vtkUnsignedCharArray* ghosts)
 {
   for (vtkIdType cell = 0; cell < ghosts->GetNumberOfTuples(); ++cell)

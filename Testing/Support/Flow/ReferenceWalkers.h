@@ -16,7 +16,9 @@ namespace reference
 
 /**
  * @class   SpaceWalker
- * @brief   flow in a single cell that is all of space or a box; local coordinates p = x
+ * @brief   cell walker through a flow, with a single cell that is all of space or a box
+ *
+ * The local coordinates p are equal to the position x.
  */
 class SpaceWalker : public interlume::CellWalker
 {
@@ -86,27 +88,27 @@ private:
 
 /**
  * @struct  BoxGrid
- * @brief   regular grid of boxes, some of which may be missing or nonfinite
+ * @brief   regular grid of boxes, some of which may be missing or have nonfinite vectors
  */
 struct BoxGrid
 {
   Position Origin{};
   Position Spacing{ 1.0, 1.0, 1.0 };
   std::array<int, 3> Cells{ 1, 1, 1 };
-  /// Return whether the grid has a cell, and whether the cell is finite. An empty function counts
-  /// as true for all cells.
+  /// Return whether a cell is part of the grid, and whether its vectors are finite. If empty, this
+  /// is the case for all cells.
   std::function<bool(const std::array<int, 3>& cell)> IsCell;
   std::function<bool(const std::array<int, 3>& cell)> IsFinite;
   /// Constant velocity of each cell. If empty, the velocity of the flow is used.
   std::function<Position(const std::array<int, 3>& cell)> CellVelocity;
   /// If true, the velocity is interpolated trilinearly between the eight corners of each box.
-  /// Otherwise it is evaluated directly.
+  /// Otherwise, the flow is evaluated directly.
   bool IsInterpolated = false;
 };
 
 /**
  * @class   BoxWalker
- * @brief   flow on a regular grid; local coordinates p are from 0 to 1 in each box
+ * @brief   cell walker through a flow on a BoxGrid; local coordinates p are from 0 to 1 in each box
  */
 class BoxWalker : public interlume::CellWalker
 {
@@ -180,8 +182,7 @@ public:
     }
     for (std::size_t j = 0; j < 3; ++j)
     {
-      // The velocity is linear along each axis, so the difference between both faces of the box is
-      // exact.
+      // The velocity is linear along each axis, so the difference between opposite faces is exact.
       double low[3] = { p[0], p[1], p[2] };
       double high[3] = { p[0], p[1], p[2] };
       low[j] = 0.0;

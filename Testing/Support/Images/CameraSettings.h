@@ -12,23 +12,23 @@ class vtkUnstructuredGrid;
 class vtkVolumeProperty;
 
 /**
- * Cameras and transfer functions of renderings that are compared with a reference.
+ * Cameras and transfer functions for renderings that are compared with a reference.
  */
 namespace reference
 {
 
 using Point3 = std::array<double, 3>;
 
-/// Returns a camera that looks along \a direction at the center of the grid, which fills most of a
-/// square image. The clipping range encloses the grid.
+/// Returns a camera that looks along \a direction at the center of the grid. The grid fills most of
+/// a square image and is inside the clipping range.
 vtkSmartPointer<vtkCamera> LookAt(
   vtkUnstructuredGrid* grid, const Point3& direction, bool parallel);
-/// Returns a camera that looks along \a direction at a sphere, which fills most of a square image.
-/// The clipping range encloses the sphere.
+/// Returns a camera that looks along \a direction at the center of a sphere. The sphere fills most
+/// of a square image and is inside the clipping range.
 vtkSmartPointer<vtkCamera> LookAt(
   const Point3& center, double radius, const Point3& direction, bool parallel);
 
-/// A node of the color and the opacity transfer function.
+/// A node of a color and an opacity transfer function.
 struct FunctionNode
 {
   double X;

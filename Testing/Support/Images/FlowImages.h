@@ -14,7 +14,7 @@ class vtkCamera;
 class vtkImageData;
 
 /**
- * Implicit flow fields defined by formulas, samples of them on images, and reference renderings in
+ * Implicit flow fields defined by formulas, images sampled from them, and reference renderings in
  * double precision that use neither samples nor textures.
  */
 namespace reference
@@ -23,7 +23,7 @@ namespace reference
 using Position3 = std::array<double, 3>;
 using Color4 = std::array<double, 4>;
 
-/// Termination of the streamline through a point.
+/// How the streamline through a point ends.
 struct FlowEnd
 {
   bool IsReached = true;
@@ -43,12 +43,11 @@ using PaintFormula = std::function<Color4(const FlowEnd&)>;
 vtkSmartPointer<vtkImageData> MakeFlowVoxels(
   int n, const FlowFormula& flow, const std::vector<std::array<int, 3>>& surfaces = {});
 
-/// Returns an RGBA float texture with \a columns x \a rows texels, evaluated from a formula of
-/// (u,v).
+/// Returns an RGBA float texture of \a columns x \a rows texels with the colors paint(u, v).
 vtkSmartPointer<vtkImageData> MakePaint(
   int columns, int rows, const std::function<Color4(double u, double v)>& paint);
 
-/// Returns the bilinearly interpolated color of a texture.
+/// Returns the color of a texture at (u,v). Interpolation is bilinear, with RGB weighted by alpha.
 Color4 LookUpPaint(vtkImageData* image, double u, double v);
 
 /// A scene of one implicit flow field.
@@ -63,7 +62,7 @@ struct FlowScene
   std::function<bool(const Position3&)> IsRetained;
 };
 
-/// Renders a scene with \a pieces integration steps per view ray inside the cube.
+/// Renders a scene with \a pieces integration steps along each view ray inside the cube.
 RgbaImage MakeFlowReferenceImage(const FlowScene& scene, int pieces = 4000);
 
 }

@@ -20,10 +20,10 @@ namespace
 
 constexpr double Width = 0.5;
 constexpr double Gap = 0.5;
-/// Number of sample layers of the volume along z.
+/// Number of layers of samples in the volume along z.
 constexpr int Layers = 97;
 constexpr int Pixels = 192;
-/// Number of pixels skipped at the edge of the rendering, where light passes beyond the outer edge
+/// Number of pixels skipped at the shadowed end of the image, where light gets past the outer edge
 /// of the sheet.
 constexpr int SkippedPixels = 38;
 /// Fraction of the volume's width that the camera shows.
@@ -33,8 +33,8 @@ vtkSmartPointer<vtkImageData> MakeSheets(double thickness)
 {
   const Field field = [](const Double3& x)
   {
-    // The receiver is eight layers above the bottom and the sheet two layers below the top, so that
-    // a light can be close.
+    // The receiver is eight layers above the bottom. The sheet is two layers below the top, so that
+    // a light can be close to it.
     const double layer = x[2] * (Layers - 1);
     const bool isReceiver = std::abs(layer - 8.0) < 0.6;
     const bool isSheet = std::abs(layer - (Layers - 3.0)) < 0.6;
@@ -83,7 +83,7 @@ ShadowScene MakeHalfPlane(double ratio, double width)
   light->PositionalOn();
   light->SetConeAngle(180.0);
   light->SetShapeToSquare();
-  // The sheets are narrow along y. Light from a source that is wide along y would pass beside them.
+  // The sheet is narrow along y. Light from a source that is wide along y would pass beside it.
   light->SetSize(width / ratio, 0.01 * width / ratio);
   scene.Lights = { light };
   scene.Camera = vtkSmartPointer<vtkCamera>::New();
@@ -144,7 +144,7 @@ double FitRampWidth(const std::vector<double>& profile)
 {
   constexpr int Bits = 26;
   const double count = static_cast<double>(profile.size());
-  // Returns the squared error of a ramp with this center and width in pixels.
+  // Returns the squared error of a ramp with the given center and width in pixels.
   const auto square = [&](double midpoint, double width)
   {
     double sum = 0.0;

@@ -14,10 +14,10 @@ namespace reference
  * 1/2). Its point array `f` is always 0. There are \a steps evenly spaced time steps from 0 to \a
  * duration.
  *
- * If \a isMoving, interior points move by (0.4, 0.25, 0) during this time. Without motion, a
- * rendering that neglects the duration of 4-simplices would show no patterns: on a static grid,
- * every 4-simplex of a constant hypercube projects to a complete tetrahedron, and four of them
- * overlap everywhere.
+ * If \a isMoving, interior points move by (0.4, 0.25, 0) during this time. Without motion, even a
+ * rendering that neglects the duration of 4-simplices would be uniform: on a static grid, every
+ * 4-simplex of a constant hypercube projects to a complete tetrahedron, and four of them overlap
+ * everywhere.
  */
 vtkSmartPointer<vtkAlgorithm> MakeHypercubePlate(
   int cells, int steps, double duration, bool isMoving);

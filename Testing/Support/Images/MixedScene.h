@@ -33,7 +33,8 @@ struct SceneLight
 };
 
 /**
- * Volumes and surfaces with common lights. Where volumes overlap, their extinctions are added.
+ * Volumes and surfaces that share the same lights. Where volumes overlap, their extinctions are
+ * added.
  */
 struct MixedScene
 {
@@ -43,8 +44,8 @@ struct MixedScene
   vtkSmartPointer<vtkCamera> Camera;
   bool Shadows = true;
   std::array<int, 2> Size = { { 64, 64 } };
-  /// Maximum visible distance along each pixel's view ray, with rows from the bottom. If empty,
-  /// there is no limit.
+  /// Maximum visible distance along the view ray of each pixel, bottom row first. If empty, there
+  /// is no limit.
   std::vector<double> OpaqueDistance;
 };
 

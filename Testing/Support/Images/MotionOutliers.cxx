@@ -14,11 +14,11 @@ namespace
 
 /// Outliers exceed the 95th percentile of the second differences by this factor.
 constexpr double OutlierFactor = 3.0;
-/// Second differences of the mean, as fractions of the mean: differences below VisibleMean are
-/// invisible, differences above MaximumMean are outliers.
+/// Limits for second differences of the mean, as fractions of the mean: differences below
+/// VisibleMean are invisible, differences above MaximumMean are outliers.
 constexpr double VisibleMean = 0.0025;
 constexpr double MaximumMean = 0.01;
-/// The same two limits for second differences of pixel changes, which are from 0 to 1.
+/// The same two limits for second differences of pixel changes, which are in [0, 1].
 constexpr double VisibleChange = 0.05;
 constexpr double MaximumChange = 1.0;
 

@@ -10,15 +10,15 @@ namespace reference
 namespace
 {
 
-/// Pixels from Low to High, both included. Empty if Low is above High.
+/// Pixels from Low to High, inclusive. Empty if Low is above High.
 struct PixelBox
 {
   std::array<int, 2> Low;
   std::array<int, 2> High;
 };
 
-/// Returns the corners at or beyond the plane at \a depth, and the intersections of the edges with
-/// this plane.
+/// Returns the corners of a tetrahedron at or beyond the plane at \a depth, and the intersections
+/// of its edges with this plane.
 std::vector<Vector> PointsInFront(
   const std::array<Vector, 4>& corners, const PixelRays& rays, Real depth)
 {

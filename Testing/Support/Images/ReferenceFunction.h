@@ -15,8 +15,8 @@ namespace reference
  * @class   StraightFunction
  * @brief   piecewise linear transfer function in double precision
  *
- * The values are colors. An opacity function has three equal components. Two nodes may have the
- * same position, where the function jumps.
+ * The values are colors. An opacity function has three equal components. The function jumps where
+ * two nodes have the same position.
  */
 class StraightFunction
 {
@@ -24,8 +24,8 @@ public:
   using Value = std::array<double, 3>;
 
   StraightFunction() = default;
-  /// Throw std::invalid_argument if the function is not piecewise linear because of midpoints or
-  /// sharpness other than VTK's defaults, a color space other than RGB, or a logarithmic scale.
+  /// Throw std::invalid_argument if a midpoint or sharpness is not VTK's default, the color space
+  /// is not RGB, or the scale is logarithmic.
   explicit StraightFunction(vtkColorTransferFunction* function);
   explicit StraightFunction(vtkPiecewiseFunction* function);
 

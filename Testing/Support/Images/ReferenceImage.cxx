@@ -228,7 +228,7 @@ Double3 ReferenceImage::GetGradient(const Double3& index, int component) const
   for (int axis = 0; axis < 3; ++axis)
   {
     const double slope = this->GetSlope(index, component, axis);
-    // Gradients transform with the transposed inverse of the matrix that transforms points.
+    // Gradients transform with the inverse transpose of the matrix that transforms points.
     for (int k = 0; k < 3; ++k)
     {
       gradient[k] += slope * this->IndexFromWorld[4 * axis + k];

@@ -29,7 +29,7 @@ struct ImageArray
 };
 
 /**
- * A line in sample indices: Begin + t Step, where t is the distance in world units.
+ * A line in index coordinates: Begin + t Step, where t is the distance in world units.
  */
 struct IndexLine
 {
@@ -65,28 +65,27 @@ public:
   ReferenceImage(vtkImageData* image, const ImageArray& array, vtkMatrix4x4* worldFromVolume);
 
   int GetNumberOfComponents() const { return this->Components; }
-  /// Returns the scale of direct colors: 1/255 for unsigned char, otherwise 1.
+  /// Returns the factor that scales color values to [0, 1]: 1/255 for unsigned char, otherwise 1.
   double GetColorScale() const { return this->ColorScale; }
 
   IndexLine ToIndex(const Double3& world, const Double3& direction) const;
   Double3 ToVolume(const Double3& index) const;
 
   Sample At(const Double3& index) const;
-  /// Returns the gradient of a component per world unit, by central differences of one sample to
-  /// each side. Outside the domain, the values at its border are used.
+  /// Returns the gradient of a component in world space, by central differences over one sample to
+  /// each side. Outside the domain, values are those of the nearest point of the domain.
   Double3 GetGradient(const Double3& index, int component) const;
 
-  /// Returns the argument of gradient opacity, as in vtkGPUVolumeRayCastMapper: the length of the
-  /// gradient per unit of spacing, times the mean of the three spacings, at most a quarter of the
-  /// component's range.
+  /// Returns the argument of the gradient opacity function, as in vtkGPUVolumeRayCastMapper: the
+  /// length of the gradient times the mean spacing, but at most a quarter of the component's range.
   double GetMagnitude(const Double3& index, int component) const;
 
-  /// Clips [begin, end] to the domain. Returns false if the result is empty.
+  /// Clips the interval [begin, end] of a line to the domain. Returns false if the result is empty.
   bool Cut(const IndexLine& line, double& begin, double& end) const;
 
   /**
    * Splits [begin, end] at sample planes and at the positions \a cuts. Calls piece(a, b) for each
-   * part in order until it returns false.
+   * part, in order, until it returns false.
    */
   template <typename Piece>
   static void Walk(const IndexLine& line, double begin, double end, const std::vector<double>& cuts,

@@ -12,7 +12,7 @@ namespace
 using Color = std::array<double, 3>;
 
 constexpr int Points = 4;
-/// Nodes (both signs) and weights of the eight-point rule on [-1, 1].
+/// Nodes (each with both signs) and weights of the eight-point Gauss-Legendre rule on [-1, 1].
 constexpr double Nodes[Points] = { 0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
   0.9602898564975363 };
 constexpr double Weights[Points] = { 0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
@@ -36,7 +36,7 @@ public:
   const Light& Get() const { return this->Result; }
 
 private:
-  /// Derivative of the optical depth with respect to t, which is from 0 to 1.
+  /// Returns the derivative of the optical depth with respect to t, where t is in [0, 1].
   double Extinction(double t) const
   {
     return this->Part.Length * Between(this->Part.Extinction, t) * Between(this->Part.Weight, t);

@@ -13,7 +13,7 @@ namespace reference
 struct StraightPart
 {
   double Length = 0.0;
-  /// Values at both ends: extinction per unit length, weight (the extent in time), color.
+  /// Values at both ends: extinction per unit length, weight (temporal extent) and color.
   std::array<double, 2> Extinction{};
   std::array<double, 2> Weight{ { 1.0, 1.0 } };
   std::array<std::array<double, 3>, 2> Color{};
@@ -24,12 +24,12 @@ struct StraightPart
  */
 struct Light
 {
-  /// Integral of extinction times weight.
+  /// Integral of extinction times weight along the part.
   double Depth = 0.0;
   /// Integral of color times extinction times weight, without absorption.
   std::array<double, 3> Emitted{};
   /// The same integral, attenuated by the absorption between the front end of the part and each
-  /// point.
+  /// point of emission.
   std::array<double, 3> Seen{};
 
   /// Returns 1 - exp(-Depth).
@@ -40,8 +40,8 @@ struct Light
 
 /**
  * Integrates with the eight-point Gauss-Legendre rule. Intervals are halved until the optical depth
- * of each is below 1/2 and its integral agrees with the sum over its halves within 1e-12. No closed
- * form of the integral is used. Optical depths may be from 0 to 1e12.
+ * of each is below 1/2 and its integral agrees with the sum over its halves to within 1e-12. No
+ * closed form of the integral is used. Optical depths from 0 to 1e12 are supported.
  */
 Light Integrate(const StraightPart& part);
 

@@ -30,12 +30,12 @@ struct LightPoint
  * @brief   unoccluded light of a vtkLight at a point
  *
  * Supports directional lights, positional lights with cone and attenuation as in VTK's surface
- * shaders, and vtkProjectiveLight by its screen matrix and color. The transformed position and
+ * shaders, and vtkProjectiveLight with its screen matrix and color. The transformed position and
  * direction are used, so the renderer must have updated headlights and camera lights.
  *
- * Sample points affect only the shadow, which is the mean of the shadows cast by the points
- * (equation 2.13 of C. Zhang's dissertation). The illumination is the light of a point at the
- * center.
+ * Sample points affect only the shadow, which is the mean of the shadows cast by light from the
+ * points (equation 2.13 of C. Zhang's dissertation). The unoccluded light is that of a point light
+ * at the position of the vtkLight.
  */
 class ReferenceLightSource
 {
@@ -46,7 +46,7 @@ public:
   {
     /// Unit vector toward the light.
     Double3 ToLight{};
-    /// Distance of the light, infinite for directional lights.
+    /// Distance to the light, infinite for directional lights.
     double Distance = 0.0;
     Double3 Diffuse{};
     Double3 Specular{};
@@ -67,7 +67,7 @@ public:
   std::vector<ShadowRay> GetShadowRays(const Double3& world, const Arrival& arrival) const;
   /// Returns the ambient color times the intensity, which is the same everywhere.
   const Double3& GetAmbient() const { return this->Ambient; }
-  /// Returns the fraction of light removed in shadow; 0 casts no shadow.
+  /// Returns the fraction of light removed in shadow. The light casts no shadow if this is 0.
   double GetShadowStrength() const { return this->ShadowStrength; }
 
 private:

@@ -131,8 +131,8 @@ bool ReferenceMaterial::IsFinite(vtkIdType cell, const std::array<vtkIdType, 4>&
 Sample ReferenceMaterial::At(
   vtkIdType cell, const std::array<vtkIdType, 4>& points, const Barycentric& position) const
 {
-  // Rounding errors may put a position slightly outside the tetrahedron. The coordinates are
-  // clamped to >= 0 and normalized.
+  // Rounding errors may put a position slightly outside the tetrahedron. Its barycentric
+  // coordinates are clamped to >= 0 and normalized.
   std::array<double, 4> clamped;
   double sum = 0.0;
   for (int i = 0; i < 4; ++i)

@@ -27,7 +27,8 @@ struct MaterialArrays
   std::string Scalars;
   /// Whether the scalars are cell data, with one value per tetrahedron.
   bool OfCells = false;
-  /// Name of the point array with the extent in time. If empty, the extent is 1 everywhere.
+  /// Name of the point array with the temporal extent. If empty, the temporal extent is 1
+  /// everywhere.
   std::string DeltaT;
 };
 
@@ -62,7 +63,7 @@ public:
   Sample At(
     vtkIdType cell, const std::array<vtkIdType, 4>& points, const Barycentric& position) const;
 
-  /// Returns whether the array stores colors instead of arguments of the color function.
+  /// Returns whether the scalars are colors instead of arguments of the color function.
   bool HasDirectColors() const { return this->IsDirect; }
 
   /// Return the color, and the value of the opacity function, not divided by the unit distance.

@@ -19,23 +19,24 @@ struct SceneVolume;
 
 /**
  * @class   ReferenceMedium
- * @brief   extinction, color and normals of a volume as documented for vtkShadowedSliceMapper, in
- * double precision
+ * @brief   extinction, color and normals of a volume in double precision, as documented for
+ * vtkShadowedSliceMapper
  *
- * The functions of the property are evaluated at each point, not sampled from a table. Cropping and
- * clipping planes are part of the medium: the extinction is 0 in removed regions.
+ * The transfer functions are evaluated at each point instead of being looked up in a table.
+ * Cropping and clipping planes are part of the medium: the extinction is 0 in removed regions.
  */
 class ReferenceMedium
 {
 public:
-  /// Properties of a component at a point. Dependent components form a single part.
+  /// Optical properties of one component at a point. Dependent components are combined into one
+  /// part.
   struct Part
   {
-    /// Index of the reflection coefficients.
+    /// Argument for GetReflection().
     int Row = 0;
     double Extinction = 0.0;
     Double3 Color{};
-    /// Direction of decreasing values, of length 1, or 0 if the gradient is 0.
+    /// Unit vector opposite to the gradient, or the zero vector if the gradient is 0.
     Double3 Normal{};
   };
 
@@ -49,23 +50,23 @@ public:
     double SpecularPower = 1.0;
   };
 
-  /// Throws std::invalid_argument like ReferenceImage and StraightFunction, and for three dependent
-  /// components.
+  /// Throws std::invalid_argument if ReferenceImage or StraightFunction does, or if the volume has
+  /// three dependent components.
   explicit ReferenceMedium(const SceneVolume& volume);
 
   const ReferenceImage& GetImage() const { return this->Image; }
   const Reflection& GetReflection(int row) const { return this->Rows[row].Reflect; }
 
-  /// Writes the parts with a positive extinction and returns their number. If \a withColors is
-  /// false, colors and normals are not computed.
+  /// Stores the parts with positive extinction in \a parts and returns their number. If \a
+  /// withColors is false, colors and normals are not computed.
   int GetParts(const Double3& index, bool withColors, std::array<Part, 4>& parts) const;
-  /// Returns the extinction for the three color channels of light: tau (1 - transmission).
+  /// Returns the extinction of light in each color channel: tau (1 - transmission color).
   Double3 GetLightExtinction(const Double3& index) const;
 
-  /// Returns the distances along the line of its intersections with cropping planes.
+  /// Returns the distances along the line at which it crosses the cropping planes.
   std::vector<double> GetCuts(const IndexLine& line) const;
-  /// Clips [begin, end] of a line in world coordinates with the clipping planes. Returns false if
-  /// the result is empty.
+  /// Clips the interval [begin, end] of a line in world coordinates against the clipping planes.
+  /// Returns false if the result is empty.
   bool Clip(const Double3& world, const Double3& direction, double& begin, double& end) const;
 
 private:

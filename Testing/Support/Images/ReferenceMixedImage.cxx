@@ -24,7 +24,7 @@ namespace
 
 constexpr double LargestStepDepth = 0.1;
 constexpr double Opaque = 18.0; // exp(-18) is below all tolerances
-/// Offset of rays that start on surfaces, relative to the largest surface.
+/// Shadow rays ignore surfaces closer than this, relative to the size of the largest surface.
 constexpr double SurfaceOffset = 1e-9;
 
 Double3 Along(const Double3& origin, const Double3& direction, double distance)
@@ -118,7 +118,7 @@ private:
     ReferenceSurface::Hit Hit{};
   };
 
-  /// Returns the fraction of a light's color that reaches a point along a ray.
+  /// Returns the fraction of the light, per color channel, that reaches a point along a shadow ray.
   Double3 GetTransmittance(const Double3& world, const ReferenceLightSource::ShadowRay& ray) const
   {
     double through = 1.0;
@@ -145,7 +145,7 @@ private:
     return transmittance;
   }
 
-  /// Returns the light of all sources at a point, including shadows.
+  /// Returns the light that arrives at a point from each light source, reduced by shadows.
   std::vector<Arrival> GetArrivals(const Double3& world) const
   {
     std::vector<Arrival> arrivals;
@@ -214,7 +214,7 @@ private:
     return color;
   }
 
-  /// Extinction, and extinction times color, at a point.
+  /// Extinction and emitted light (extinction times color) at a point.
   struct Emission
   {
     double Extinction = 0.0;
@@ -333,7 +333,7 @@ private:
     state.Depth -= std::log1p(-opacity);
   }
 
-  /// Adds the light scattered by the media between two surfaces.
+  /// Adds the light scattered by the media in the interval [begin, end] of the ray.
   void AddMedia(const ViewRay& viewRay, double begin, double end, RayState& state) const
   {
     std::vector<MediumInterval> intervals;
@@ -358,8 +358,8 @@ private:
       }
     }
     std::sort(bounds.begin(), bounds.end());
-    // Bounds of neighboring voxels differ by rounding errors. The resulting tiny intervals are
-    // skipped.
+    // Bounds that should be equal can differ by rounding errors. The tiny intervals between them
+    // are skipped.
     constexpr double rounding = 1e-13;
     std::vector<MediumInterval> here;
     for (std::size_t i = 0; i + 1 < bounds.size() && state.Depth < Opaque; ++i)
@@ -376,7 +376,7 @@ private:
     }
   }
 
-  /// Integrates an interval of the ray inside one voxel of each medium.
+  /// Integrates a part of the ray that lies within one voxel of each medium.
   void March(const std::vector<MediumInterval>& intervals, const ViewRay& viewRay,
     const std::array<double, 2>& part, RayState& state) const
   {
@@ -398,7 +398,7 @@ private:
         const double at = a + h * (0.5 + (side == 0 ? -node : node));
         emission[side] = this->GetEmission(intervals, at, viewRay);
       }
-      // Optical depth in front of each node, for an extinction that is linear in the step.
+      // Optical depth from the start of the step to each Gauss node, for linear extinction.
       const double mean = 0.5 * (emission[0].Extinction + emission[1].Extinction);
       const double slope = (emission[1].Extinction - emission[0].Extinction) / (2.0 * node);
       for (int side = 0; side < 2; ++side)

@@ -35,7 +35,7 @@ PixelRays::PixelRays(vtkCamera* camera, const std::array<int, 2>& size)
 
 Vector PixelRays::EyePoint(Real x, Real y, Real depth) const
 {
-  // For a given z, rows 0, 1 and 3 of the matrix give linear equations for x and y.
+  // For a given z, rows 0, 1 and 3 of the projection matrix give linear equations for x and y.
   const auto& m = this->Matrix;
   const Real z = -depth;
   const Real rightSide[2] = { x * (m[3][2] * z + m[3][3]) - m[0][2] * z - m[0][3],
@@ -47,8 +47,8 @@ Vector PixelRays::EyePoint(Real x, Real y, Real depth) const
 
 Ray PixelRays::Get(int i, int j) const
 {
-  // Rays are slightly offset, since rays through pixel centers would lie in faces of meshes with
-  // round coordinates.
+  // Rays are slightly offset, since rays through exact pixel centers could lie in cell faces if the
+  // coordinates of the mesh are round numbers.
   constexpr Real pixelOffset[2] = { 1.4e-9L, 0.6e-9L };
   const Real x = (2 * i + 1 + pixelOffset[0]) / static_cast<Real>(this->Size[0]) - 1;
   const Real y = (2 * j + 1 + pixelOffset[1]) / static_cast<Real>(this->Size[1]) - 1;

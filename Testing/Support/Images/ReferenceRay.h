@@ -10,7 +10,7 @@ class vtkCamera;
 namespace reference
 {
 
-/// Geometry is computed in long double.
+/// Number type of geometric computations.
 using Real = long double;
 using Vector = std::array<Real, 3>;
 
@@ -24,9 +24,9 @@ inline Real Dot(const Vector& a, const Vector& b)
  */
 struct Ray
 {
-  /// Position of the camera, or a point on the camera's plane in a parallel projection.
+  /// Position of the camera or, for a parallel projection, a point on the plane through the camera.
   Vector Origin;
-  /// Direction of the ray, of length 1.
+  /// Unit vector.
   Vector Direction;
   /// Distance along the ray per unit of depth along the direction of projection.
   Real DistancePerDepth;
@@ -37,9 +37,10 @@ struct Ray
  * @brief   view rays through the pixel centers of an image
  *
  * Pixel (i, j), counted from the lower left, has its center at ((i + 1/2) / width, (j + 1/2) /
- * height) of the viewport. Rays are offset by less than 1e-9 of a pixel, so that no ray lies in a
- * common face of two tetrahedra and is counted in both. Rays are computed from the camera's
- * projection matrix, position and axes. Precision is therefore not lost far from the origin.
+ * height) in normalized viewport coordinates. Rays are offset by less than 1e-9 of a pixel, so that
+ * no ray lies in a common face of two tetrahedra and is counted in both. They are computed from the
+ * camera's projection matrix, position and axes. Therefore, no precision is lost far from the
+ * origin.
  */
 class PixelRays
 {
@@ -48,7 +49,7 @@ public:
 
   Ray Get(int i, int j) const;
 
-  /// Returns the depth of a point, which is its distance in front of the camera's plane.
+  /// Returns the depth of a point: its distance from the camera along the direction of projection.
   Real GetDepth(const Vector& point) const;
   Real GetNear() const { return this->Near; }
   Real GetFar() const { return this->Far; }
@@ -57,8 +58,8 @@ public:
 
 private:
   Vector ToEye(const Vector& point) const;
-  /// Returns the point at \a depth on the ray through the normalized position (x, y), in view
-  /// coordinates.
+  /// Returns the point, in view coordinates, at \a depth on the ray through (x, y) in normalized
+  /// device coordinates.
   Vector EyePoint(Real x, Real y, Real depth) const;
 
   std::array<int, 2> Size;

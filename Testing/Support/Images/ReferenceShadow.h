@@ -8,11 +8,11 @@ namespace reference
 {
 
 /**
- * Returns the optical depth of the medium for red, green and blue, from \a world along \a direction
- * (of length 1) over \a distance. Parts between planes of samples are divided into \a refinement
- * steps, integrated with the two-point Gauss rule. This is exact for extinctions that are linear
- * along the ray in each part, and of fourth order for smooth extinctions. Stops early when the
- * transmittance is negligible.
+ * Returns the optical depth of the medium for red, green and blue, from \a world along the unit
+ * vector \a direction up to \a distance. The part of the ray in each voxel is divided into \a
+ * refinement steps, each integrated with the two-point Gauss rule. The result is exact if the
+ * extinction is linear along the ray in each voxel, and of fourth order if it is smooth. Stops
+ * early when the transmittance is negligible.
  */
 Double3 GetOpticalDepth(const ReferenceMedium& medium, const Double3& world,
   const Double3& direction, double distance, int refinement);

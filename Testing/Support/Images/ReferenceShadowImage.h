@@ -10,8 +10,8 @@ namespace reference
 struct ShadowScene;
 
 /**
- * Renders one volume by MakeMixedImage() as documented for vtkShadowedSliceMapper. The scene's
- * opaque distances replace its actors.
+ * Renders one volume with MakeMixedImage(). Uses OpaqueDistance of the scene and ignores its
+ * actors.
  */
 RgbaImage MakeShadowImage(const ShadowScene& scene, int refinement = 1);
 

@@ -129,8 +129,8 @@ void ReferenceSurface::Append(vtkPolyData* mesh, vtkMatrix4x4* worldFromMesh, bo
     }
     triangles.push_back(triangle);
   }
-  // A mirroring matrix reverses the orientation of triangles, but not the side to which their
-  // normals point.
+  // A mirroring matrix reverses the orientation of triangles, but point normals stay on the same
+  // side.
   this->IsMirrored = worldFromMesh->Determinant() < 0.0;
   this->Tree.Build(std::move(triangles));
 }

@@ -15,11 +15,11 @@ namespace reference
 
 /**
  * @class   ReferenceSurface
- * @brief   triangles of an actor in world coordinates and the light they reflect, in double
+ * @brief   the triangles of an actor in world coordinates, and the light they reflect, in double
  * precision
  *
  * Polygons and strips are triangulated; vertices and lines are ignored. Normals are the
- * interpolated point normals of the mesh, or the normals of the triangles if the mesh has no
+ * interpolated point normals of the mesh, or the normals of the triangles if the mesh has no point
  * normals or shading is flat. They are flipped where the back of a triangle faces the camera.
  * Clipping planes of the mapper are applied.
  *
@@ -41,21 +41,21 @@ public:
   /// Appends the hits of a ray at distances in (begin, end), sorted by distance.
   void AppendHits(const Double3& origin, const Double3& direction, double begin, double end,
     std::vector<Hit>& hits) const;
-  /// Returns the transmittance along a ray at distances in (begin, end).
+  /// Returns the transmittance of the part of a ray at distances in (begin, end).
   double GetTransmittance(
     const Double3& origin, const Double3& direction, double begin, double end) const;
 
-  /// Returns the light reflected at a hit along -direction, which has length 1.
+  /// Returns the light that is reflected at a hit toward -direction, a unit vector.
   Double3 Shade(const Hit& hit, const Double3& world, const Double3& direction,
     const std::vector<ReferenceLightSource::Arrival>& arrivals) const;
 
-  /// Returns the diagonal of the surface's bounding box.
+  /// Returns the length of the diagonal of the bounding box.
   double GetSize() const { return this->Size; }
 
 private:
   void Append(vtkPolyData* mesh, vtkMatrix4x4* worldFromMesh, bool withNormals);
   bool IsClipped(const Double3& world) const;
-  /// Returns the normal on the camera's side.
+  /// Returns the unit normal that points to the side from which the ray comes.
   Double3 GetNormal(const Hit& hit, const Double3& direction) const;
 
   TriangleTree Tree;

@@ -29,7 +29,7 @@ RayTetrahedron::RayTetrahedron(const std::array<Vector, 4>& corners)
 {
   for (int i = 0; i < 4; ++i)
   {
-    // The coordinate is 0 on the face opposite to corner i and 1 at corner i.
+    // Barycentric coordinate i is 0 on the face opposite corner i and 1 at corner i.
     const Vector& a = corners[(i + 1) % 4];
     const Vector normal =
       Cross(Difference(corners[(i + 2) % 4], a), Difference(corners[(i + 3) % 4], a));
@@ -44,7 +44,7 @@ RayTetrahedron::RayTetrahedron(const std::array<Vector, 4>& corners)
 
 std::optional<Segment> RayTetrahedron::Meet(const Ray& ray, Real from, Real to) const
 {
-  // Distances are measured from the point of the ray closest to corner 0.
+  // Distances are measured from the point on the ray closest to corner 0.
   const Real center = Dot(ray.Direction, Difference(this->Corners[0], ray.Origin));
   Vector point;
   for (int k = 0; k < 3; ++k)

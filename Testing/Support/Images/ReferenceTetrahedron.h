@@ -10,7 +10,6 @@
 namespace reference
 {
 
-/// Barycentric coordinates of a point.
 using Barycentric = std::array<Real, 4>;
 
 /**
@@ -26,12 +25,12 @@ struct Segment
 
 /**
  * @class   RayTetrahedron
- * @brief   tetrahedron for intersections with view rays
+ * @brief   intersects a tetrahedron with view rays
  *
- * The segment is the interval where all four barycentric coordinates, which are linear along the
- * ray, are >= 0. The coordinates are evaluated near the tetrahedron, and their gradients are
- * computed from differences of corners. Therefore, segments of thin tetrahedra far away are as
- * accurate as those of regular tetrahedra.
+ * All four barycentric coordinates, which are linear along the ray, are >= 0 on the segment inside
+ * the tetrahedron. The coordinates are evaluated near the tetrahedron, and their gradients are
+ * computed from differences between corners. Therefore, the segments of thin tetrahedra far away
+ * are as accurate as those of regular tetrahedra.
  */
 class RayTetrahedron
 {
@@ -42,7 +41,7 @@ public:
   bool IsValid() const { return this->Valid; }
   const std::array<Vector, 4>& GetCorners() const { return this->Corners; }
 
-  /// Returns the segment of the ray inside the tetrahedron, clipped to two distances, or
+  /// Returns the segment of the ray inside the tetrahedron, clipped to the distances [from, to], or
   /// std::nullopt if it is empty.
   std::optional<Segment> Meet(const Ray& ray, Real from, Real to) const;
 

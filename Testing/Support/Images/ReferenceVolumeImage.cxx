@@ -64,7 +64,7 @@ public:
   const RgbaImage& Get() const { return this->Result; }
 
 private:
-  /// Interval of a view ray inside a tetrahedron with the samples at both ends.
+  /// Interval of a view ray inside a tetrahedron, with the samples at both ends.
   struct Crossing
   {
     std::uint32_t Id;
@@ -237,7 +237,7 @@ private:
     }
   }
 
-  /// Renders the maximum of each premultiplied component, for direct colors.
+  /// For direct colors, renders the maximum of each premultiplied channel.
   void DrawMaximumColors(const std::vector<Crossing>& crossings, double* pixel) const
   {
     for (const Crossing& crossing : crossings)

@@ -20,28 +20,29 @@ namespace reference
 /// Method that combines the segments of a view ray.
 enum class Blend
 {
-  /// Composites exactly, front to back in order of entry.
+  /// Composites the segments front to back, in order of entry.
   Composite,
-  /// Color and opacity (at most 1) at the largest opacity argument on the ray.
+  /// Color and opacity (at most 1) where the argument of the opacity function is largest. With
+  /// direct colors, the maximum of each premultiplied channel.
   MaximumIntensity,
-  /// Sum of the segments, each composited separately; at most 1 per channel.
+  /// Sum of the premultiplied colors and opacities of the segments, at most 1 per channel.
   Additive,
-  /// Renders each layer by OpticalDepth, and composites layers with higher priorities in front.
+  /// Renders each layer with OpticalDepth, and composites layers with higher priority in front.
   Priority,
-  /// 1 - exp(-depth), and the mean color weighted by optical depth.
+  /// Opacity 1 - exp(-depth), and the mean color weighted by optical depth.
   OpticalDepth
 };
 
-/// Integration of a segment.
+/// Method that integrates a segment.
 enum class Integration
 {
   Exact,
-  /// Mean of color and extinction at both ends.
+  /// Uses the mean color and the mean extinction of both ends.
   AverageColor
 };
 
 /**
- * Settings of MakeReferenceImage() besides grid, property and camera.
+ * Settings of MakeReferenceImage() other than the grid, the property and the camera.
  */
 struct CameraSettings
 {
@@ -49,22 +50,22 @@ struct CameraSettings
   Blend How = Blend::Composite;
   Integration Mode = Integration::Exact;
   MaterialArrays Arrays;
-  /// Cell array of the layers.
+  /// Name of the cell array of layer numbers, for Blend::Priority.
   std::string Layers = "IntervalId";
-  /// Priorities of layers. A layer without an entry has its number as its priority.
+  /// Priority of each layer number. By default, the priority of a layer is its number.
   std::map<int, double> Priorities;
-  /// Distance of an opaque surface along each pixel's view ray, with rows from the bottom. Empty if
-  /// nothing is opaque.
+  /// Distance to the nearest opaque surface along each pixel's view ray, bottom row first. Empty if
+  /// there is none.
   std::vector<double> OpaqueDistance;
-  /// Whether to render each pixel, with rows from the bottom. Other pixels stay transparent. If
-  /// empty, all are rendered.
+  /// For each pixel, whether to render it or leave it transparent, bottom row first. If empty, all
+  /// pixels are rendered.
   std::vector<bool> Wanted;
 };
 
 /**
- * Renders the tetrahedra of a grid by integration along the view ray of each pixel. Segments are
+ * Renders the tetrahedra of a grid by integrating along the view ray of each pixel. Segments are
  * computed in long double and integrated in double, with an error of at most 1e-9. The near plane
- * of the camera clips the grid, the far plane does not. Tetrahedra without volume or with values
+ * of the camera clips the grid, the far plane does not. Tetrahedra with volume 0 or with values
  * that are not finite are skipped. Rows are computed in parallel, and the result is independent of
  * the number of threads.
  *

@@ -9,8 +9,8 @@ namespace reference
 {
 
 /**
- * A floating-point image: premultiplied red, green and blue, and alpha, with rows from the bottom
- * to the top.
+ * A floating-point image with premultiplied red, green and blue, and alpha. The bottom row is
+ * first.
  */
 struct RgbaImage
 {
@@ -34,16 +34,16 @@ private:
 };
 
 /**
- * Difference of two images over every channel of every pixel.
+ * Difference between two images over all channels of all pixels.
  */
 struct ImageError
 {
   /// Largest difference, or infinity if a channel is NaN or the sizes differ.
   double Max = 0.0;
   double Mean = 0.0;
-  /// Fraction of the pixels, 0 to 1, with a channel that differs by more than 1e-3.
+  /// Fraction (0 to 1) of pixels with a channel that differs by more than 1e-3.
   double FractionAbove = 0.0;
-  /// Pixel and channel of the largest difference.
+  /// Pixel coordinates and channel of the largest difference.
   int I = 0;
   int J = 0;
   int Channel = 0;
@@ -54,7 +54,6 @@ ImageError CompareImages(const RgbaImage& found, const RgbaImage& expected);
 /// Prints the difference in one line.
 std::ostream& operator<<(std::ostream& os, const ImageError& error);
 
-/// Returns the largest alpha of an image.
 double LargestAlpha(const RgbaImage& image);
 
 }

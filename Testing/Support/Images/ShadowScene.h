@@ -4,7 +4,7 @@
 
 #include "Support/Images/ReferenceImage.h" // for the array
 
-// Complete types, so that a scene can be copied.
+// Copying the smart pointers of a scene requires complete types.
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -22,7 +22,7 @@ namespace reference
 {
 
 /**
- * An image as a volume, with its property, matrix, cropping and clipping.
+ * An image that is rendered as a volume, with its property, matrix, cropping and clipping.
  */
 struct SceneVolume
 {
@@ -33,15 +33,15 @@ struct SceneVolume
   vtkSmartPointer<vtkMatrix4x4> Matrix;
   vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
 
-  /// Cropping of vtkVolumeMapper; 0 is off.
+  /// Cropping region flags of vtkVolumeMapper; 0 disables cropping.
   int CroppingFlags = 0;
   std::array<double, 6> CroppingPlanes{};
-  /// The negative side of each plane is clipped.
+  /// The negative side of each plane is removed.
   std::vector<vtkSmartPointer<vtkPlane>> ClippingPlanes;
 };
 
 /**
- * A volume and its lights, for vtkShadowedSliceMapper and for the reference.
+ * A scene with one volume, to be rendered by vtkShadowedSliceMapper and by MakeShadowImage().
  */
 struct ShadowScene : SceneVolume
 {
@@ -51,8 +51,8 @@ struct ShadowScene : SceneVolume
   bool Shadows = true;
 
   std::array<int, 2> Size = { { 64, 64 } };
-  /// Opaque actors. The reference uses OpaqueDistance instead: their distance along each pixel's
-  /// view ray, with rows from the bottom. Both are empty if nothing is opaque.
+  /// Opaque actors. Instead of them, MakeShadowImage() uses OpaqueDistance: the distance along each
+  /// pixel's view ray to the nearest actor, bottom row first. Both are empty if nothing is opaque.
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::vector<double> OpaqueDistance;
 };

@@ -21,7 +21,8 @@ namespace
 
 constexpr Point3 White = { { 1.0, 1.0, 1.0 } };
 
-/// Returns a white property with diffuse light only and the given opacities per voxel.
+/// Returns a white property with diffuse reflection only. \a opacities contains pairs of a scalar
+/// and its opacity over the distance \a voxel.
 vtkSmartPointer<vtkVolumeProperty> MakeWhite(
   const std::vector<std::array<double, 2>>& opacities, double voxel)
 {
@@ -37,16 +38,17 @@ vtkSmartPointer<vtkVolumeProperty> MakeWhite(
   return property;
 }
 
-/// Returns a property that is opaque for values of 0.5 and more.
+/// Returns a property whose opacity jumps from 0 to 1 at the scalar 0.5.
 vtkSmartPointer<vtkVolumeProperty> MakeOpaque(double voxel)
 {
   return MakeWhite(
     { { { 0.0, 0.0 } }, { { 0.5 - 1e-4, 0.0 } }, { { 0.5, 1.0 } }, { { 1.0, 1.0 } } }, voxel);
 }
 
-/// Returns the brightness of the cube at the first hit of a ray, for a directional light. With the
-/// cosines e and l of the angles that the view ray and the light make with the face normal, the
-/// brightness is l / (e + l), since both are attenuated at the same rate inside.
+/// Returns the brightness of the cube where a ray enters it, for a directional light, or NaN if the
+/// ray misses. If e and l are the cosines of the angles between the face normal and the directions
+/// to the camera and the light, the brightness is l / (e + l), since light is attenuated at the
+/// same rate on both paths.
 double GetCubePixel(const Ray& ray, const Double3& toLight)
 {
   double enter = 0.0;
@@ -68,7 +70,8 @@ double GetCubePixel(const Ray& ray, const Double3& toLight)
   return leave > enter ? value : std::nan("");
 }
 
-/// Returns a direction toward the plate, at an angle from its normal and with an azimuth.
+/// Returns the direction toward a surface at the given angle to its normal. \a around is the
+/// azimuth.
 Double3 GetDirection(const Double3& normal, double angle, double around)
 {
   Double3 first;

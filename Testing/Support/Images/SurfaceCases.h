@@ -9,7 +9,7 @@
 #include <iosfwd>
 
 /**
- * Volumes with sharp surfaces of known brightness, and errors of their renderings.
+ * Volumes with sharp surfaces of known brightness, and the errors of rendered images of them.
  */
 namespace reference
 {
@@ -28,8 +28,8 @@ struct SurfaceCase
 /// the view.
 SurfaceCase MakeOpaqueCube(int cells);
 
-/// Returns a white plate through a cube of cells^3 voxels. Its opacity jumps from 0 to 1 between
-/// two voxels. The angles of the light and the view from its normal, and the azimuth between them,
+/// Returns a cube of cells^3 voxels in which all points on one side of a plane are opaque and
+/// white. The angles of the light and the view to the plane's normal, and the azimuth between them,
 /// are in degrees.
 SurfaceCase MakePlate(int cells, Double3 normal, double light, double eye, double around);
 
@@ -40,7 +40,7 @@ struct SurfaceErrors
   double Max = 0.0;
   /// Root-mean-square error, relative to the mean of the expected values.
   double Rms = 0.0;
-  /// Mean of the image relative to the mean of the expected values, minus 1.
+  /// Mean of the image divided by the mean of the expected values, minus 1.
   double Bias = 0.0;
 };
 

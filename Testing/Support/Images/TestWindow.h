@@ -11,8 +11,8 @@
  */
 namespace reference
 {
-/// Disables the messages of the driver's shader compiler. Since version 9.5, VTK logs them as
-/// warnings, even for its own shaders. Shader errors are reported separately.
+/// Disables the messages of the driver's shader compiler. VTK 9.5 and later log them as warnings,
+/// even for VTK's own shaders. Shader errors are reported separately.
 inline void MuteShaderCompiler(vtkRenderWindow* window)
 {
   vtkOpenGLRenderWindow::SafeDownCast(window)->Initialize();
@@ -34,8 +34,8 @@ auto SetDepthBits(Window* window, int bits)
 inline void SetDepthBits(void*, int) {}
 
 /// Sets a 24-bit depth buffer. With multisampling, VTK's depth peeling copies depth through a
-/// 24-bit buffer, which OpenGL only allows between equal formats. Since version 9.4, windows have
-/// 32 bits by default.
+/// 24-bit buffer, which OpenGL only allows between equal formats. Since VTK 9.4, windows have a
+/// 32-bit depth buffer by default.
 inline void AllowPeelingOfSamples(vtkRenderWindow* window)
 {
   SetDepthBits(vtkOpenGLRenderWindow::SafeDownCast(window), 24);

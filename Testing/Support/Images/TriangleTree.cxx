@@ -50,7 +50,7 @@ public:
     return true;
   }
 
-  /// Returns whether the ray is in the box at a distance in [begin, end].
+  /// Returns whether the ray meets the box at any distance in [begin, end].
   bool IntersectsBox(
     const glm::dvec3& lower, const glm::dvec3& upper, double begin, double end) const
   {
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  /// Relative rounding error of distances to boxes.
+  /// Relative tolerance for rounding errors of distances to box faces.
   static constexpr double Slack = 1e-13;
 
   glm::dvec3 Shear(const glm::dvec3& point) const
@@ -145,7 +145,7 @@ void TriangleTree::Visit(const glm::dvec3& origin, const glm::dvec3& direction, 
   double end, const std::function<bool(const Hit&)>& visit) const
 {
   const ShearedRay sheared(origin, direction);
-  // Twice the depth of a tree with the largest number of items that an int can represent.
+  // The stack cannot overflow: a tree with INT_MAX triangles has about 30 levels.
   std::array<int, 64> stack;
   int size = 0;
   if (!this->Nodes.empty())

@@ -15,9 +15,9 @@ namespace reference
  * @class   TriangleTree
  * @brief   finds the triangles that a ray hits, in double precision
  *
- * A binary tree of bounding boxes, split at the median of the longest axis. Hits are determined by
- * the signs of the volumes that the ray spans with the three edges (Woop, Benthin, Wald 2013).
- * Therefore no ray passes between two triangles with a common edge. Queries are thread-safe.
+ * A binary tree of bounding boxes, split at the median along the longest axis. Hits are determined
+ * by the signs of the volumes that the ray spans with the three edges (Woop, Benthin, Wald 2013).
+ * Therefore, no ray passes between two triangles with a common edge. Queries are thread-safe.
  */
 class TriangleTree
 {
@@ -28,7 +28,7 @@ public:
   {
     double Distance;
     int Triangle;
-    /// Weights of the second and third corner.
+    /// Barycentric weights of the second and third corner.
     std::array<double, 2> Weights;
   };
 

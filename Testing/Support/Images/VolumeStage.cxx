@@ -49,7 +49,7 @@ VolumeStage::VolumeStage(const std::array<int, 2>& size)
   camera->SetDelegatePass(sequence);
   this->Pass->SetDelegatePass(camera);
   this->Pass->SetColorFormat(vtkTextureObject::Float32);
-  // VTK's ray caster copies the depth to a texture with this format.
+  // vtkGPUVolumeRayCastMapper copies the depth buffer to a texture of this format.
   this->Pass->SetDepthFormat(vtkTextureObject::Fixed32);
   MuteShaderCompiler(this->Window);
 }

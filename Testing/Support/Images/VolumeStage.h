@@ -46,7 +46,7 @@ public:
   void SetVolume(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
   vtkVolume* GetVolume();
   void AddActor(vtkActor* actor);
-  /// Sets the lights. No other light is created. Headlights and camera lights follow the camera.
+  /// Sets the lights. No default light is created. Headlights and camera lights follow the camera.
   void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
   /// Sets the camera, including its clipping range.
   void SetCamera(vtkCamera* camera);
@@ -58,12 +58,12 @@ public:
 
   /// Renders to the window's framebuffer and waits until the frame is complete.
   void Render();
-  /// Renders \a frames frames to a floating-point framebuffer and returns the last one. VTK's
+  /// Renders \a frames frames to a floating-point framebuffer and returns the last one. Some VTK
   /// mappers require two frames: vtkProjectedTetrahedraMapper omits the first thousand cells of its
   /// first frame. After Render(), that mapper draws over its previous frame, so use a separate
   /// stage and mapper for Capture().
   RgbaImage Capture(int frames = 2);
-  /// Returns the OpenGL renderer name. Renders once.
+  /// Renders a frame and returns the OpenGL renderer string.
   std::string GetDevice();
 
 private:

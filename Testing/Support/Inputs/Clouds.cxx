@@ -24,7 +24,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979324;
 
-/// Random numbers that do not depend on the compiler, unlike std::uniform_real_distribution.
+/// Generates the same random numbers on all platforms, unlike std::uniform_real_distribution.
 class PortableRandom
 {
 public:
@@ -47,13 +47,13 @@ vtkSmartPointer<vtkSpatialPrimitive> MakePuff(const std::array<double, 3>& cente
   auto puff = vtkSmartPointer<vtkSpatialPrimitive>::New();
   puff->SetCenter(center[0], center[1], center[2]);
   puff->SetRadius(radius);
-  // Erosion requires a soft edge.
+  // The erosion in MakeClouds() requires a soft edge.
   puff->SetEdgeWidth(0.5 * radius);
   return puff;
 }
 
-/// Arranges large spheres in a spiral over the base, higher toward the center. Each has smaller
-/// spheres on its upper half.
+/// Arranges large spheres in a spiral over the base, higher toward the center. Each is covered with
+/// smaller spheres, mostly on its upper half.
 vtkSmartPointer<vtkSpatialObject> MakeHeaps(const Cumulus& cloud)
 {
   auto heaps = vtkSmartPointer<vtkSpatialOperation>::New();
@@ -150,8 +150,8 @@ vtkSmartPointer<vtkImageData> SampleDensity(
 
 vtkSmartPointer<vtkVolumeProperty> MakeCloudMedium(double extinction)
 {
-  // The extinction is -ln(1 - opacity) per unit distance. Up to an opacity of 0.02 it is linear
-  // within 1 %.
+  // The extinction per unit distance is -ln(1 - opacity). Up to an opacity of 0.02, it is
+  // proportional to the opacity within 1 %.
   constexpr double opacity = 0.02;
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(0.0, 0.0);

@@ -12,8 +12,8 @@ class vtkSpatialObject;
 class vtkVolumeProperty;
 
 /**
- * Clouds by constructive volume geometry, after C. Zhang, dissertation, Ohio State 2006, section
- * 2.6: unions of spheres whose density is perturbed by Perlin noise.
+ * Clouds made by constructive volume geometry, following section 2.6 of C. Zhang's dissertation
+ * (Ohio State University, 2006): unions of spheres whose density is perturbed by Perlin noise.
  */
 namespace interlume
 {
@@ -27,7 +27,7 @@ struct Cumulus
   /// Extent of the base along y as a fraction of its extent along x.
   double Depth = 0.8;
   double Height = 0.6;
-  /// Number of heaps on the base. Smaller spheres are added to each.
+  /// Number of heaps on the base. A heap is a large sphere covered with smaller spheres.
   int Heaps = 9;
   unsigned Seed = 1;
 };
@@ -36,7 +36,7 @@ struct Cumulus
 vtkSmartPointer<vtkSpatialObject> MakeClouds(const std::vector<Cumulus>& clouds);
 
 /// Samples an object on a grid of cubic cells, with \a cells cells along the longest edge of the
-/// bounds. The float array `Density` is from 0 to 1.
+/// bounds. The values of the float array `Density` are in [0, 1].
 vtkSmartPointer<vtkImageData> SampleDensity(
   vtkSpatialObject* object, const std::array<double, 6>& bounds, int cells);
 

@@ -15,8 +15,8 @@ class vtkDataSet;
 namespace interlume
 {
 /**
- * Returns the data directory without a trailing slash: the environment variable INTERLUME_DATA if
- * it is set, otherwise Data/ in the source tree of the build.
+ * Returns the data directory without a trailing slash: the value of the environment variable
+ * INTERLUME_DATA if it is set, otherwise Data/ in the source tree.
  */
 std::string DataFolder();
 

@@ -8,7 +8,7 @@
 namespace interlume
 {
 /**
- * One row of Data/MANIFEST.md: source and license of a file.
+ * A row of Data/MANIFEST.md: the content, source and license of a file.
  */
 struct DataRow
 {
@@ -19,8 +19,8 @@ struct DataRow
 };
 
 /**
- * Returns the rows of Data/MANIFEST.md, which are the table lines whose first column is a file name
- * in backquotes.
+ * Returns the rows of Data/MANIFEST.md, that is, the lines of its table whose first column is a
+ * file name in backquotes.
  * @throw std::runtime_error if the manifest cannot be read or has no rows.
  */
 std::vector<DataRow> ReadDataManifest();

@@ -12,11 +12,11 @@ class vtkExodusIIReader;
 namespace interlume
 {
 /**
- * A temporal source of one unstructured grid: the first block of an Exodus file, with all point
- * arrays. It announces the time steps of the file and returns the block at the requested time, or
- * at the first time step if none is requested.
+ * Source that returns the first block of an Exodus file, with all point arrays. The block must be
+ * an unstructured grid. Provides the time steps of the file. If no time is requested, returns the
+ * first time step.
  *
- * vtkExodusIIReader itself returns a multiblock dataset, so filters would return multiblock
+ * With vtkExodusIIReader, which returns a multiblock dataset, filters would return multiblock
  * datasets too.
  */
 class ExodusTimeSource : public vtkUnstructuredGridAlgorithm
@@ -26,7 +26,8 @@ public:
   vtkTypeMacro(ExodusTimeSource, vtkUnstructuredGridAlgorithm);
 
   /**
-   * Sets the path of the file. If the file has no block, the update reports an error.
+   * Sets the path of the file. Update() reports an error if the first block is not an unstructured
+   * grid.
    */
   void SetFileName(const std::string& path);
 

@@ -41,7 +41,7 @@ Model MakeMushroom(double height, double capRadius, double lean)
   const double capHeight = 0.72 * capRadius;
   const double rim = height - capHeight;
   const double shift = lean * height;
-  // A dome, a rim that curls inward, and gills that rise to the stem below.
+  // The profile has a dome, a rim that curls inward, and gills that rise toward the stem.
   vtkSmartPointer<vtkPolyData> cap =
     Revolve(Scale({ { { 0.0, 1.0 } }, { { 0.25, 0.97 } }, { { 0.5, 0.86 } }, { { 0.75, 0.63 } },
                     { { 0.93, 0.32 } }, { { 1.0, 0.08 } }, { { 0.97, -0.03 } }, { { 0.88, -0.01 } },
@@ -58,14 +58,14 @@ Model MakeMushroom(double height, double capRadius, double lean)
   Model model = { { MoveShape(cap, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * lean, 0.0 } }),
                     { { 0.72, 0.20, 0.13 } }, 0.35 },
     { stem, Ivory, 0.08 } };
-  // White spots on the dome, on spirals with the golden angle.
+  // White spots on the dome, arranged in a spiral by the golden angle.
   for (int i = 0; i < 14; ++i)
   {
     const double polar = std::sqrt((i + 0.6) / 14.0) * 72.0;
     const double around = 137.508 * i;
     const double size = (0.12 - 0.0011 * polar) * capRadius;
     const double angle = vtkMath::RadiansFromDegrees(polar);
-    // Height of the dome at the spot, which approximates the profile of the cap.
+    // Radius and height of the spot relative to the size of the cap, approximating its profile.
     const double out = std::sin(angle) * 0.97;
     const double up = std::pow(std::max(1.0 - out * out, 0.0), 0.56) * 0.985;
     vtkSmartPointer<vtkPolyData> spot = Revolve(
@@ -166,8 +166,8 @@ Model MakeAirplane()
   std::vector<vtkSmartPointer<vtkPolyData>> engines;
   for (const double side : { 1.0, -1.0 })
   {
-    // Plates are symmetric, so the wing toward -y is the wing toward +y, rotated about x by 180
-    // degrees.
+    // Plates are symmetric about z = 0, so the wing toward -y is the wing toward +y rotated by 180
+    // degrees about x.
     const double turn = side > 0.0 ? 0.0 : 180.0;
     const double rise = 5.0 * side;
     wings.push_back(
@@ -245,7 +245,7 @@ Model MakeLamp()
     MakeTube({ { { 0.0, 0.0, 0.02 } }, { { -0.02, 0.0, 0.22 } }, { { 0.03, 0.0, 0.41 } },
                { { 0.13, 0.0, 0.47 } }, { { 0.2, 0.0, 0.41 } } },
       { 0.011, 0.01, 0.01, 0.01, 0.01 });
-  // A thin shell: the profile runs up outside and down inside.
+  // A thin shell: the profile runs down on the outside and up on the inside.
   vtkSmartPointer<vtkPolyData> shade = MoveShape(
     Revolve({ { { 0.0, 0.1 } }, { { 0.035, 0.1 } }, { { 0.05, 0.085 } }, { { 0.115, 0.0 } },
               { { 0.109, 0.0 } }, { { 0.045, 0.08 } }, { { 0.0, 0.093 } } },

@@ -7,8 +7,8 @@
 #include <vector>
 
 /**
- * Models of everyday objects as polygons. Every part is a closed surface with outward normals.
- * Models stand on z = 0 unless stated otherwise.
+ * Polygonal models of everyday objects. Every part is a closed surface with outward normals. Models
+ * stand on z = 0 unless stated otherwise.
  */
 namespace interlume
 {
@@ -18,7 +18,7 @@ struct ModelPart
 {
   vtkSmartPointer<vtkPolyData> Shape;
   std::array<double, 3> Color{};
-  /// Specular strength, 0 to 1.
+  /// Specular coefficient, 0 to 1.
   double Gloss = 0.1;
 };
 
@@ -28,17 +28,17 @@ using Model = std::vector<ModelPart>;
 /// \a lean times the height.
 Model MakeMushroom(double height, double capRadius, double lean = 0.0);
 
-/// Returns a teapot with the spout toward x. It is 1.6 long and 0.95 high.
+/// Returns a teapot with the spout toward +x. It is 1.6 long and 0.95 high.
 Model MakeTeapot();
 
 /// Returns a dart of length 1 along x. The tip is at the origin, the shaft at negative x.
 Model MakeDart();
 
-/// Returns an airliner of length 1 along x with the nose at x = 1 and z up. The wings extend from y
-/// = -0.5 to 0.5.
+/// Returns an airliner of length 1 along x, with the nose at x = 1 and z up. The wings extend from
+/// y = -0.5 to 0.5.
 Model MakeAirplane();
 
-/// Returns a desk of 1.2 x 0.6 x 0.72 with drawers on the right side, seen from -y.
+/// Returns a desk of size 1.2 x 0.6 x 0.72. The drawers are on the right, as seen from -y.
 Model MakeDesk();
 
 /// Returns a chair, 0.46 wide and 0.9 high, that faces +y.

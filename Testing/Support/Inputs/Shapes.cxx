@@ -32,7 +32,7 @@ namespace
 constexpr int TurnSteps = 72;
 constexpr int SplineSteps = 12; ///< between two points
 
-/// Returns points of a spline through given points of N coordinates.
+/// Returns points on a cardinal spline through \a rows, which are points with N coordinates.
 template <std::size_t N>
 std::vector<std::array<double, N>> Spline(const std::vector<std::array<double, N>>& rows)
 {
@@ -69,8 +69,8 @@ vtkSmartPointer<vtkPolyData> MakeLine(const std::vector<Position3>& positions)
   return line;
 }
 
-/// Triangulates a surface, merges the points of seams, removes degenerate triangles and computes
-/// outward normals.
+/// Triangulates a surface, merges duplicate points along seams, removes degenerate triangles and
+/// computes outward normals.
 vtkSmartPointer<vtkPolyData> Finish(vtkPolyData* shape, double sharp)
 {
   shape->GetPointData()->Initialize();
@@ -140,8 +140,8 @@ vtkSmartPointer<vtkPolyData> MakeTube(
 
 vtkSmartPointer<vtkPolyData> MakeRoundedBox(const Position3& lengths, double radius)
 {
-  // A sphere is cut along its three planes of symmetry. The eight octants move to the corners of
-  // the box, and the gaps between them become faces.
+  // A sphere is cut along the three coordinate planes. The octants move to the corners of the box,
+  // and the gaps between them are filled with flat faces and quarter cylinders.
   constexpr int steps = 6;
   constexpr int columns = 4 * (steps + 1);
   const double step = 0.5 * vtkMath::Pi() / steps;

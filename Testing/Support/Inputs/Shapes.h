@@ -9,7 +9,7 @@
 #include <vector>
 
 /**
- * Closed surfaces with outward normals, the parts of models.
+ * Closed surfaces with outward normals, used as parts of models.
  */
 namespace interlume
 {
@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPolyData> MakeTube(
 vtkSmartPointer<vtkPolyData> MakeRoundedBox(const Position3& lengths, double radius);
 
 /**
- * Returns a plate centered at z = 0. The outline is a counterclockwise polygon of (x, y).
+ * Returns a plate centered at z = 0. The outline is a counterclockwise polygon in the x-y plane.
  */
 vtkSmartPointer<vtkPolyData> MakePlate(
   const std::vector<std::array<double, 2>>& outline, double thickness);
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> MoveShape(
   vtkPolyData* shape, const Position3& offset, const Position3& degrees = { { 0.0, 0.0, 0.0 } });
 
 /**
- * Appends all shapes to one surface.
+ * Combines all shapes into one surface.
  */
 vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& shapes);
 

@@ -13,7 +13,8 @@ class vtkDataSet;
 class vtkUnstructuredGrid;
 
 /**
- * Executes each extraction filter once, with the active scalars and double-precision points.
+ * Runs the extraction filters on the active scalars of a dataset, with double-precision output
+ * points.
  */
 namespace reference
 {

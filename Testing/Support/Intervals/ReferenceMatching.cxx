@@ -36,8 +36,8 @@ namespace
 
 using Filter = vtkTimeVaryingIntervalVolume;
 
-/// Tests whether points lie in one boundary face of the domain. Box-shaped domains take a fast
-/// path.
+/// Tests whether points all lie in the same boundary face of the domain, with a fast path for
+/// box-shaped domains.
 class BoundaryTest
 {
 public:
@@ -96,7 +96,8 @@ long long CountOpposite(const std::vector<std::array<vtkIdType, N>>& simplices)
     [](const SimplexUse<N>& use) { return use.Plus > 0 && use.Minus > 0; });
 }
 
-/// Returns triangles or tetrahedra as point coordinates, in sorted order.
+/// Returns the cells, which are triangles or tetrahedra, as a sorted list of their point
+/// coordinates.
 template <size_t N>
 std::vector<GeometricSimplex> SortedSimplices(
   vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells)
@@ -116,7 +117,7 @@ std::vector<GeometricSimplex> SortedSimplices(
 template <size_t N>
 using Net = std::map<std::array<vtkIdType, N>, int>;
 
-/// Adds the sign of each simplex, multiplied by \a sign, to its count.
+/// Adds the sign of each simplex, multiplied by \a sign, to its count in \a net.
 template <size_t N>
 void AddTo(Net<N>& net, const std::vector<OrientedSimplex<N>>& simplices, int sign = 1)
 {
@@ -284,7 +285,8 @@ private:
     }
   }
 
-  /// Returns whether an array of a criterion equals one of its bounds at all points of a face.
+  /// Returns whether the array of any criterion equals the same bound of this criterion at all
+  /// points of a face.
   bool IsCut(const Triangle& face) const
   {
     return std::any_of(this->Criteria.begin(), this->Criteria.end(),
@@ -295,8 +297,7 @@ private:
       });
   }
 
-  /// Checks that the origin cell of each triangle is the origin cell of a tetrahedron with this
-  /// face.
+  /// Checks that each triangle has the same origin cell as a tetrahedron of which it is a face.
   void CheckCells(int i, const std::string& name)
   {
     vtkDataArray* ids = this->Volume->GetCellData()->GetArray("IntervalId");
@@ -341,7 +342,8 @@ private:
     vtkDataArray* cells = this->Volume->GetCellData()->GetArray("OriginCell");
     if (HasPolyhedra(this->Data))
     {
-      // A polyhedron is split into convex pieces, and each piece is tested separately.
+      // The filter splits a polyhedron into convex pieces and tests each piece separately, so these
+      // checks do not apply.
       return;
     }
     long long errors = 0;
@@ -449,8 +451,8 @@ private:
     return this->IsAt(simplex, this->Times->GetComponent(simplex[0], 0));
   }
 
-  /// Checks that AtStep is not FACES_AT_STEP for cells within one step, and that it is
-  /// TETRAHEDRON_AT_STEP exactly for cells that repeat their last point.
+  /// Checks that AtStep is not FACES_AT_STEP for cells whose points are all at one time, and that
+  /// it is TETRAHEDRON_AT_STEP for cells that repeat their last point, and only for these.
   void CheckAtStep()
   {
     vtkUnstructuredGrid* grid = this->Found.Simplices;
@@ -501,7 +503,8 @@ private:
     }
   }
 
-  /// Checks that the cells of a kind on port 1 equal the output of vtkIntervalVolume.
+  /// Checks that the cells of the given kind on port 1 equal \a cells of \a expected, the output of
+  /// vtkIntervalVolume.
   template <size_t N>
   void CheckSame(vtkUnstructuredGrid* expected, const std::vector<std::array<vtkIdType, N>>& cells,
     int i, int kind, const std::string& name)

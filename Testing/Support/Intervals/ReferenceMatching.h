@@ -13,18 +13,18 @@ class vtkDataSet;
 class vtkImageData;
 
 /**
- * Checks of the documented behavior of the extraction filters where values equal bounds. They use
- * only the orientation of faces and no tolerance. They work on any data, even on volumes with
- * millions of values equal to a bound.
+ * Checks the documented behavior of the extraction filters where scalars equal interval bounds. The
+ * checks are combinatorial: they compare oriented faces by point ids. They work for any data, even
+ * for volumes in which millions of scalars equal a bound.
  */
 namespace reference
 {
 
-/// Returns the 8-bit volumes in Data/, where many points have values equal to bounds.
+/// Returns the file names of the 8-bit volumes in Data/, in which many scalars equal a bound.
 const std::vector<std::string>& GetTiedVolumes();
 
-/// Crops points^3 points around the center of a volume, shifted by \a shift points along x. Returns
-/// an image with the scalars "f".
+/// Returns the block of points^3 points at the center of a volume, shifted by \a shift points along
+/// x. The scalars are named "f".
 vtkSmartPointer<vtkImageData> CropVolume(vtkDataSet& volume, int points, int shift);
 
 /// Returns the minimum and maximum of the active scalars and up to three quantiles between them,
@@ -47,8 +47,7 @@ struct MatchingCriterion
  *   orientation), is a triangle of port 1, lies in a boundary face of the domain, or satisfies a
  *   criterion with equality at all points.
  * - Each triangle of port 1 is a face that does not cancel, with the same orientation, and occurs
- *   once. All its values equal the bound. Its origin cell is the cell of a tetrahedron with this
- *   face.
+ *   once. All its values equal the bound. Its origin cell is that of a tetrahedron with this face.
  * - An interval [a, a] consists of the cells whose corners all have the value a.
  * - Every point is used.
  */
@@ -63,7 +62,7 @@ void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Ch
 /**
  * Extracts a contour of the active scalars at a value below their maximum. Checks that no triangle
  * occurs more than once, that edges cancel except in boundary faces of the domain, and that the
- * interior triangles bound the interval above the value.
+ * triangles inside the domain are the lower boundary of the interval above the value.
  */
 void CheckMatchingContour(vtkDataSet* data, double value, Check& check);
 
@@ -71,13 +70,14 @@ void CheckMatchingContour(vtkDataSet* data, double value, Check& check);
  * Extracts intervals in space and time from a static grid that fills its bounding box, and checks
  * each interval:
  * - No two 4-simplices have the same points and opposite orientation.
- * - For 4-simplices that lie within one step, AtStep is not FACES_AT_STEP.
+ * - If all points of a 4-simplex are at one step, its AtStep is not FACES_AT_STEP.
  * - Each face of the 4-simplices either cancels, is on port 1, or lies in a side wall of the box.
- *   On port 1, it is part of a surface in time or of the volume at the first or last step.
+ *   On port 1, it is part of the lower or upper surface in time, or of the volume at the first or
+ *   last step.
  * - Each cell of a surface in time is a face that does not cancel, with the same orientation, and
  *   occurs once.
- * - At the first and last step, the volume equals the output of vtkIntervalVolume for that step,
- *   and the surfaces equal its port 1.
+ * - At the first and last step, the volume on port 1 equals the output of vtkIntervalVolume for
+ *   that step, and the surfaces equal port 1 of that filter.
  * - The slice at each step equals the output of vtkIntervalVolume, tetrahedron by tetrahedron.
  */
 void CheckMatchingInTime(

@@ -21,7 +21,7 @@ namespace reference
 namespace
 {
 
-/// Returns the face with its more frequent orientation.
+/// Returns the face in its more frequent orientation.
 Triangle WithMajorOrientation(const FaceUse& use)
 {
   Triangle triangle = use.Key;
@@ -34,8 +34,8 @@ Triangle WithMajorOrientation(const FaceUse& use)
 
 constexpr double VolumeTolerance = 1e-12;
 
-/// Subtracts the uses of a second list from the uses of the first list. Both lists are sorted by
-/// key.
+/// Returns the net uses of each simplex in \a uses minus those in \a subtracted. Both lists are
+/// sorted by key.
 template <size_t N>
 std::vector<SimplexUse<N>> NetDifference(
   const std::vector<SimplexUse<N>>& uses, const std::vector<SimplexUse<N>>& subtracted)
@@ -120,9 +120,9 @@ private:
     return points;
   }
 
-  /// Compares the upper triangles of an interval with the lower triangles of the next. In boundary
-  /// faces of the domain, interval i may have triangles with the value of its upper bound that
-  /// interval i + 1 does not have.
+  /// Compares the upper triangles of interval i with the lower triangles of interval i + 1. In
+  /// boundary faces of the domain, interval i may have upper triangles that interval i + 1 does not
+  /// have.
   void CheckShared(int i)
   {
     const auto upper = CountUses(Oriented(BoundaryOf(this->Surface, i, 1)));

@@ -11,7 +11,7 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Totals over many extractions, which the test prints.
+/// Totals over many extractions, printed by the test.
 struct TilingCounts
 {
   long long Tetrahedra = 0;
@@ -30,12 +30,12 @@ struct TilingCounts
  * - The boundary of the tetrahedra of an interval consists of its triangles on port 1 and part of
  *   the domain's boundary. The intervals together cover the domain's boundary.
  * - The upper triangles of interval i are the reversed lower triangles of interval i + 1.
- *   Exceptions are triangles of interval i in boundary faces with values equal to the bound, where
- *   interval i + 1 has no cell.
+ *   Exceptions are upper triangles of interval i in boundary faces of the domain, where the next
+ *   interval has no tetrahedra.
  * - Inside the domain, the triangles of an interval have no open edges, and each occurs once.
  * - The scalar is between the bounds on each tetrahedron and equal to the bound on each triangle.
  *
- * If no value equals a bound inside the range (\a generic), it also checks that:
+ * If \a generic is true, no value may equal an inner bound, and it also checks that:
  * - Every face of the tetrahedra is used once, or twice with opposite orientation.
  * - The lower and the upper boundary of each interval are two-manifolds.
  */

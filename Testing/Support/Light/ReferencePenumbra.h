@@ -13,10 +13,10 @@ namespace reference
 
 /**
  * @struct  ReferencePenumbra
- * @brief   exact shadow of a half-plane in the light of a disk or rectangle
+ * @brief   exact shadow that a half-plane casts in the light of a disk or rectangle
  *
- * The half-plane z = Height, x < 0 is opaque. From a point p below it, a point y of a light above
- * it is visible if the line between them crosses the plane z = Height at x > 0. This condition is
+ * The half-plane z = Height, x < 0 is opaque. A point p below the half-plane sees a point y of a
+ * light above it if the line between them crosses the plane z = Height at x > 0. This condition is
  * linear in y, so the visible fraction of the light is the fraction of a rectangle or disk on one
  * side of a line. The light may be tilted.
  */
@@ -44,15 +44,16 @@ struct ReferencePenumbra
     return this->IsRound ? GetDiskFraction(midpoint, slope) : GetSquareFraction(midpoint, slope);
   }
 
-  /// Returns the penumbra of a square directional light: a ramp from 0 to 1 across \a width, which
-  /// is L dZ / Z for edge length L of the light at distance Z and a receiver at distance dZ from
-  /// the half-plane. x is the distance from the shadow edge that the light's center would cast.
+  /// Returns the visible fraction of a square directional light, which is a ramp from 0 to 1 over
+  /// the penumbra. The penumbra has \a width L dZ / Z, where L is the edge length of the light, Z
+  /// its distance, and dZ the distance of the receiver from the half-plane. \a x is the distance
+  /// from the shadow edge that the center of the light alone would cast.
   static double GetRamp(double x, double width)
   {
     return std::min(std::max(x / width + 0.5, 0.0), 1.0);
   }
 
-  /// Returns the penumbra of a disk light, which is the area of a circular segment.
+  /// Like GetRamp(), for a disk light: the relative area of a circular segment.
   static double GetSegment(double x, double width)
   {
     return GetDiskFraction(2.0 * x / width, { 1.0, 0.0 });
@@ -71,7 +72,7 @@ private:
     return 0.5 + (std::asin(t) + t * std::sqrt(1.0 - t * t)) / std::acos(-1.0);
   }
 
-  // Returns the fraction of the square from -1 to 1 where midpoint + slope . y > 0. The sum of two
+  // Returns the fraction of the square [-1, 1]^2 where midpoint + slope . y > 0. The sum of two
   // independent uniform variables has a trapezoidal distribution.
   static double GetSquareFraction(double midpoint, const glm::dvec2& slope)
   {

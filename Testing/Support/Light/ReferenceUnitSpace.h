@@ -12,8 +12,8 @@
 namespace reference
 {
 
-/// Returns the unit space of the cells of an image with \a size points and a matrix that shears x
-/// by y.
+/// Returns the unit space of an image with \a size points and cell data, and with a matrix that
+/// shears x in proportion to y.
 inline interlume::UnitSpace MakeUnitSpace(
   const std::array<int, 3>& size, const std::array<double, 3>& spacing, double shear = 0.0)
 {

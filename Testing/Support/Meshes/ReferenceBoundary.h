@@ -14,8 +14,8 @@ namespace reference
  * @class   DomainBoundary
  * @brief   faces of a mesh that belong to a single cell
  *
- * Faces must be planar and convex. Points are considered to lie in a face within 1e-10 of the size
- * of the mesh.
+ * Faces must be planar and convex. Whether a point lies in a face is tested with a tolerance of
+ * 1e-10 times the size of the mesh.
  */
 class DomainBoundary
 {
@@ -25,7 +25,7 @@ public:
   explicit DomainBoundary(vtkDataSet* mesh);
 
   int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
-  /// Returns the first face that contains all \a points, or -1.
+  /// Returns the index of the first face that contains all \a points, or -1.
   int Find(const std::vector<Point>& points) const;
   double GetArea(int face) const { return this->Faces[face].Area; }
   /// Returns the area of a triangle in a face, negative if its normal points into the mesh.

@@ -9,8 +9,8 @@
 #include <vector>    // for the lists
 
 /**
- * Oriented faces and edges with their numbers of uses, for combinatorial tests of conformity
- * without geometry or tolerance.
+ * Counts how often oriented faces and edges are used. Tests use this to check without geometry or
+ * tolerances that a mesh is conforming.
  */
 namespace reference
 {
@@ -78,7 +78,7 @@ std::vector<SimplexUse<N>> CountUses(std::vector<OrientedSimplex<N>> simplices)
 using Triangle = std::array<vtkIdType, 3>;
 using Tetrahedron = std::array<vtkIdType, 4>;
 
-/// Returns the faces of tetrahedra with outward normals.
+/// Returns the faces of tetrahedra, oriented so that their normals point outward.
 std::vector<OrientedSimplex<3>> FacesOf(const std::vector<Tetrahedron>& tetrahedra);
 /// Return triangles as oriented simplices, and the oriented edges of triangles.
 std::vector<OrientedSimplex<3>> Oriented(const std::vector<Triangle>& triangles);

@@ -24,7 +24,7 @@ struct LinearFunction
   }
 };
 
-/// Adds a point array of independent random numbers, uniform in [0,1), and makes it the active
+/// Adds a point array of independent random numbers, uniform in [0, 1), and makes it the active
 /// scalars.
 vtkDoubleArray* AddRandomField(vtkDataSet* data, unsigned int seed, const char* name = "f");
 
@@ -32,7 +32,6 @@ vtkDoubleArray* AddRandomField(vtkDataSet* data, unsigned int seed, const char* 
 vtkDoubleArray* AddIntegerField(
   vtkDataSet* data, int values, unsigned int seed, const char* name = "f");
 
-/// Adds a linear function of position.
 vtkDoubleArray* AddLinearField(
   vtkDataSet* data, const LinearFunction& function, const char* name = "f");
 

@@ -14,7 +14,8 @@ class vtkImageData;
 namespace reference
 {
 
-/// Returns an image of \a cells cells with an origin and spacings that are not round numbers.
+/// Returns an image with \a cells cells along each axis. Its origin and spacing have no exact
+/// binary representation.
 vtkSmartPointer<vtkImageData> MakeImage(const std::array<int, 3>& cells);
 
 struct LatticeForm

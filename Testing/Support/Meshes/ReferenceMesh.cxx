@@ -15,13 +15,13 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// The six faces of a box with outward normals.
+/// Corners of the six faces of a box, ordered so that normals point outward.
 constexpr int BoxFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
   { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
 constexpr int LowerFace = 4;
 
-/// Corners of the two wedges of a box that is cut along the diagonal 0-2. The triangles are the
-/// first and the last three points.
+/// Corners of the two wedges of a box that is cut along the diagonal 0-2. The first and the last
+/// three corners of a wedge are its triangles.
 constexpr int WedgesOfBox[2][6] = { { 0, 2, 1, 4, 6, 5 }, { 0, 3, 2, 4, 7, 6 } };
 
 constexpr int TetrahedraAroundDiagonal[6][4] = { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 },
@@ -49,8 +49,8 @@ public:
         }
       }
     }
-    // In a column of the mixed mesh, either all lower and upper faces of boxes are quadrilaterals,
-    // or all are split into triangles.
+    // In each column of a mixed mesh, the lower and upper faces of the boxes are either all
+    // quadrilaterals or all split into triangles.
     this->CutColumns.resize(static_cast<size_t>(cells[0]) * cells[1]);
     for (size_t c = 0; c < this->CutColumns.size(); ++c)
     {
@@ -86,7 +86,7 @@ private:
 
   void AddPyramid(int face, vtkIdType apex)
   {
-    // The normal of a pyramid's base points to the apex.
+    // In VTK, the normal of a pyramid's base points to the apex, so the base is reversed.
     Ids base = this->Pick(BoxFaces[face]);
     this->Builder.AddCell(VTK_PYRAMID, { base[3], base[2], base[1], base[0], apex });
   }

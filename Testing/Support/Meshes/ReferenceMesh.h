@@ -19,7 +19,7 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Kind of cells that fill a block of boxes.
+/// Kind of cells of a mesh.
 enum class MeshKind
 {
   Hexahedra,    ///< one hexahedron per box
@@ -42,14 +42,15 @@ std::string GetName(MeshKind kind);
 
 /**
  * Returns a mesh of \a kind with cells[0] x cells[1] x cells[2] boxes, which fill the block [0,
- * cells[0]] x [0, cells[1]] x [0, cells[2]]. For Honeycomb and Kelvin, \a cells is the number of
- * cells. Only the mixed mesh uses \a seed.
+ * cells[0]] x [0, cells[1]] x [0, cells[2]]. For Honeycomb, \a cells is the number of prisms along
+ * each axis. For Kelvin, it is the number of lattice cubes along each axis, with two octahedra
+ * each. Only the mixed mesh uses \a seed.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
   MeshKind kind, const std::array<int, 3>& cells, unsigned int seed = 1);
 
-/// Returns the corners of the box (i,j,k) of a grid of \a cells boxes, in the order of a
-/// hexahedron.
+/// Returns the point ids of box (i, j, k) in a grid of \a cells boxes, in the order of
+/// VTK_HEXAHEDRON.
 std::array<vtkIdType, 8> BoxCorners(const std::array<int, 3>& cells, int i, int j, int k);
 
 }

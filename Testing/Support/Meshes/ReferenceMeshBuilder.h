@@ -24,7 +24,8 @@ public:
   MeshBuilder();
 
   vtkIdType AddPoint(double x, double y, double z);
-  /// Returns the point with an integer key. A new point is added at \a scale times the key.
+  /// Returns the id of the point with the given integer key. If there is none, adds one at \a scale
+  /// times \a key.
   vtkIdType FindOrAddPoint(const std::array<int, 3>& key, const std::array<double, 3>& scale);
   void AddCell(int type, const std::vector<vtkIdType>& ids);
   /// Adds a VTK_POLYHEDRON. The normals of its faces must point outward.

@@ -12,7 +12,8 @@ class vtkPolyData;
 class vtkUnstructuredGrid;
 
 /**
- * Measures of tetrahedral meshes and inputs for a mesher, independent of the code under test.
+ * Measurements of tetrahedral meshes, and inputs for mesh generation, independent of the code under
+ * test.
  */
 namespace reference
 {
@@ -45,9 +46,9 @@ double LinearError(vtkDataSet* data, const char* array, const struct LinearFunct
  * Returns a mesh of (2 * blocks[0]) x (2 * blocks[1]) x blocks[2] boxes of size 1. In every block
  * of 2 x 2 boxes, three boxes form a concave VTK_POLYHEDRON whose bottom and top are concave
  * polygons of eight points. The fourth box alternates between a hexahedron, two wedges, and six
- * pyramids. Interior points are moved by up to \a shift, so faces are not planar. The cell array
- * `kind` is 0 for polyhedra and 1 for other cells. Neighboring polyhedra list the points of a
- * common face starting from different points.
+ * pyramids. Interior points are moved by up to \a shift along each axis, so faces are not planar.
+ * The cell array `kind` is 0 for polyhedra and 1 for other cells. Neighboring polyhedra list the
+ * points of a common face starting from different points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeConcaveMesh(
   const std::array<int, 3>& blocks, double shift, unsigned int seed = 1);
@@ -62,8 +63,8 @@ vtkSmartPointer<vtkPolyData> MakeBoxes();
 /// levels times.
 vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels);
 
-/// Returns a torus with radii 1 and 0.4 around z, made of 2 * \a around * \a across triangles with
-/// outward normals.
+/// Returns a torus around the z-axis with radii 1 and 0.4, made of 2 * \a around * \a across
+/// triangles with outward normals.
 vtkSmartPointer<vtkPolyData> MakeTorus(int around, int across);
 
 }

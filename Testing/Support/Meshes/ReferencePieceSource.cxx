@@ -183,7 +183,7 @@ void PieceSource::FillPiece(int piece, int pieces, int levels, vtkUnstructuredGr
 {
   vtkUnstructuredGrid* complete = vtkUnstructuredGrid::SafeDownCast(this->FullData);
   const auto cells = FindCells(complete, piece, pieces, levels);
-  // A single piece keeps the order of the points.
+  // If there is only one piece, the order of the points is kept.
   std::vector<vtkIdType> idOf(static_cast<std::size_t>(complete->GetNumberOfPoints()), -1);
   std::vector<vtkIdType> points;
   const auto number = [&](vtkIdType id)
@@ -232,7 +232,7 @@ void PieceSource::FillPiece(int piece, int pieces, int levels, vtkUnstructuredGr
     if (complete->GetCellType(cell.first) == VTK_POLYHEDRON)
     {
       complete->GetFaceStream(cell.first, ids);
-      // The stream has the number of faces, then for each face the number of points and the points.
+      // The stream has the number of faces, then for each face the number of points and their ids.
       for (vtkIdType* id = ids->begin() + 1; id < ids->end(); id += 1 + *id)
       {
         std::transform(id + 1, id + 1 + *id, id + 1, [&](vtkIdType p) { return idOf[p]; });

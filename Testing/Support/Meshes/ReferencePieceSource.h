@@ -16,9 +16,9 @@ namespace reference
  * @brief   returns a dataset or any piece of it, with the requested number of ghost levels
  *
  * Datasets with an extent are cropped to the requested extent. Each piece of an unstructured grid
- * has the same number of consecutive cells, followed by ghost cells, level by level. Its points are
- * numbered separately, from the last cell to the first, with global ids of the complete dataset.
- * Tests can therefore not rely on the order of points.
+ * has about the same number of consecutive cells, followed by ghost cells, level by level. If there
+ * are several pieces, points are numbered in each piece from the last cell to the first, so that
+ * tests cannot rely on their order. Global point ids are those of the complete dataset.
  *
  * If there are several time steps, Change is added to the scalars at each step after the first. The
  * active scalars must be float or double.
@@ -33,8 +33,8 @@ public:
   void SetFullData(vtkDataSet* complete);
 
   ///@{
-  /// Set the number of time steps 0, 1, ... (default 1) and the change of the scalars per step
-  /// (default 1.0).
+  /// Set the number of time steps, which are at times 0, 1, ... (default 1), and the change of the
+  /// scalars per step (default 1.0).
   vtkSetMacro(NumberOfTimeSteps, int);
   vtkSetMacro(Change, double);
   ///@}

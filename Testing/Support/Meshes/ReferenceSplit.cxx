@@ -41,7 +41,7 @@ void ForEachTetrahedron(
       std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
       for (size_t i = 2; i < ring.size(); ++i)
       {
-        // Normals of faces point outward.
+        // Face normals point outward, so the triangles are reversed.
         visit(c, { { { ring[0] }, { ring[i] }, { ring[i - 1] }, ids } });
       }
     }

@@ -13,11 +13,11 @@ class vtkDataSet;
 namespace reference
 {
 
-/// A grid point or the center of a cell, as the ids of the grid points whose mean it is.
+/// A grid point or a cell center, stored as the ids of the grid points of which it is the mean.
 using MeanPoint = std::vector<vtkIdType>;
 using SplitTetrahedron = std::array<MeanPoint, 4>;
 
-/// Returns the mean of \a get over the points of \a mean.
+/// Returns the mean of get(id) over the ids in \a mean.
 template <typename Real, typename Get>
 Real MeanOf(const MeanPoint& mean, Get&& get)
 {
@@ -32,8 +32,8 @@ Real MeanOf(const MeanPoint& mean, Get&& get)
 /**
  * Splits the three-dimensional cells of a mesh into tetrahedra with the orientation of the cells. A
  * tetrahedron is not split. Any other cell is split into tetrahedra that connect its center with
- * the triangles of its faces. Each face is split into triangles from its point with the lowest id,
- * so both cells of a face split it in the same way.
+ * the triangles of its faces. Each face is split into a triangle fan around its point with the
+ * lowest id, so two cells split their common face in the same way.
  */
 void ForEachTetrahedron(
   vtkDataSet* mesh, const std::function<void(vtkIdType cell, const SplitTetrahedron&)>& visit);

@@ -51,7 +51,7 @@ void Sort(Face& face, const Key& normal)
     face.begin(), face.end(), [&](const Key& a, const Key& b) { return angle(a) < angle(b); });
 }
 
-/// Returns the faces of a truncated octahedron. Its corners are the permutations of (0, +-1, +-2).
+/// Returns the faces of a truncated octahedron. Its corners are all permutations of (0, +-1, +-2).
 std::vector<Face> TruncatedOctahedron()
 {
   std::vector<Key> corners;
@@ -99,7 +99,8 @@ std::vector<Face> TruncatedOctahedron()
   return faces;
 }
 
-/// Returns a hexagonal prism in integer coordinates of a triangular lattice.
+/// Returns the faces of a hexagonal prism, in integer coordinates. The hexagon is regular after
+/// scaling y by sqrt(3).
 std::vector<Face> HexagonalPrism()
 {
   constexpr int hexagon[6][2] = { { 2, 0 }, { 1, 1 }, { -1, 1 }, { -2, 0 }, { -1, -1 }, { 1, -1 } };

@@ -15,7 +15,7 @@ namespace reference
 vtkSmartPointer<vtkUnstructuredGrid> MakeHoneycomb(const std::array<int, 3>& cells);
 
 /// Returns truncated octahedra as VTK_POLYHEDRON, centered at the points of a body-centered cubic
-/// lattice.
+/// lattice of \a cells cubes.
 vtkSmartPointer<vtkUnstructuredGrid> MakeKelvinTiling(const std::array<int, 3>& cells);
 
 }

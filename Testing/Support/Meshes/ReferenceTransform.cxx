@@ -25,7 +25,8 @@ namespace
 using Order = std::vector<int>;
 using Faces = std::vector<std::vector<vtkIdType>>;
 
-/// Generators of the rotations of a cell type, and one reflection.
+/// Symmetries of a cell type as permutations of its points: generators of all rotations, and one
+/// reflection.
 struct Symmetry
 {
   std::vector<Order> Rotations;

@@ -7,18 +7,18 @@
 class vtkUnstructuredGrid;
 
 /**
- * Changes of a mesh that must not affect the result of an extraction. Each returns a new mesh
- * without point and cell data.
+ * Modifications of a mesh that must not affect the result of an extraction. Each function returns a
+ * new mesh without point and cell data.
  */
 namespace reference
 {
 
-/// Reorders the points of each cell by a random rotation that its cell type allows. Voxels allow
-/// only one order and remain unchanged.
+/// Applies a random rotation to the order of the points of each cell. Shuffles the faces of
+/// polyhedra. Voxels remain unchanged, since their points have only one valid order.
 vtkSmartPointer<vtkUnstructuredGrid> TurnCells(vtkUnstructuredGrid* mesh, unsigned int seed);
 
-/// Mirrors each cell: the order of its points makes its volume negative. Voxels and polyhedra,
-/// whose faces define the orientation, remain unchanged.
+/// Mirrors the order of the points of each cell, so that its volume becomes negative. Voxels remain
+/// unchanged, and so do polyhedra, whose orientation is defined by their faces.
 vtkSmartPointer<vtkUnstructuredGrid> InvertCells(vtkUnstructuredGrid* mesh);
 
 /// Renumbers the points at random.

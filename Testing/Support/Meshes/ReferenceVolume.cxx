@@ -22,7 +22,7 @@ namespace
 using Real = long double;
 using Point = std::array<Real, 3>;
 
-/// A corner with its position and array values.
+/// The position and the array values of a tetrahedron's corner.
 struct Corner
 {
   Point X{};
@@ -50,7 +50,7 @@ Real AbsoluteVolume(const Tetrahedron& t)
   return std::abs(Determinant(t[0].X, t[1].X, t[2].X, t[3].X)) / 6;
 }
 
-/// Appends the part of a tetrahedron where sign * (value - bound) >= 0.
+/// Appends tetrahedra that fill the part of a tetrahedron where sign * (value - bound) >= 0.
 void Clip(const Tetrahedron& tetrahedron, size_t array, Real bound, int sign,
   std::vector<Tetrahedron>& clipped)
 {
@@ -231,7 +231,8 @@ long double ClippedVolume(vtkDataSet* mesh, const std::vector<Range>& ranges)
 long double BoxVolumeBelow(
   const std::array<double, 3>& size, const LinearFunction& function, double value)
 {
-  // Sum of the signed volumes of one simplex per corner of the box, each cut off by the plane.
+  // The plane cuts a simplex off the octant at each corner of the box. The volume is the sum of
+  // their signed volumes (inclusion-exclusion).
   Real sum = 0;
   Real product = 6;
   for (int a = 0; a < 3; ++a)
@@ -254,8 +255,8 @@ long double BoxVolumeBelow(
       parity = upper ? -parity : parity;
     }
     const Real height = value - function(x.data());
-    // Only corners below the plane contribute. Where a component of the gradient is negative, the
-    // sign of the product and the parity of the corner change together.
+    // Only corners below the plane contribute. Negative gradient components need no special case:
+    // mirroring an axis changes the sign of the product and of every parity.
     sum += height > 0 ? parity * height * height * height : 0;
   }
   return std::clamp(sum / product, Real(0), volume);

@@ -37,25 +37,24 @@ struct TetrahedraVolume
   long double Negative = 0;      ///< sum of the absolute values of negative volumes
   long long Count = 0;
   long long Inverted =
-    0; ///< volume below -1e-15 times the cube of the longest edge, more than rounding error
+    0; ///< number of volumes below -1e-15 * (longest edge)^3, which is more than rounding error
 };
 TetrahedraVolume MeasureTetrahedra(vtkUnstructuredGrid* grid);
 /// Measures the tetrahedra with the given value of the cell array IntervalId.
 TetrahedraVolume MeasureInterval(vtkUnstructuredGrid* grid, int interval);
 
-/// Returns the volume of a mesh of convex cells, which are split into tetrahedra from their
-/// centers.
+/// Returns the volume of a mesh of convex cells. Each cell other than a tetrahedron is split into
+/// tetrahedra around its center.
 long double MeshVolume(vtkDataSet* mesh);
 
 /**
- * Returns the volume of the region of a mesh where all conditions hold. The result is exact if the
- * arrays are linear in each cell: for any values on tetrahedra, and for linear functions of
- * position on convex cells.
+ * Returns the volume of the region of a mesh where all conditions hold. The result is exact on
+ * tetrahedra, and on other convex cells if the arrays are linear functions of position.
  */
 long double ClippedVolume(vtkDataSet* mesh, const std::vector<Range>& ranges);
 
-/// Returns the volume of { x in [0,size0] x [0,size1] x [0,size2] : function(x) <= value } by the
-/// formula for a box cut by a plane. No component of the gradient may be 0.
+/// Returns the volume of { x in [0,size0] x [0,size1] x [0,size2] : function(x) <= value } in
+/// closed form. No component of the gradient may be 0.
 long double BoxVolumeBelow(
   const std::array<double, 3>& size, const LinearFunction& function, double value);
 

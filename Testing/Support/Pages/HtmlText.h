@@ -7,8 +7,8 @@
 namespace html
 {
 /**
- * Replaces the characters that are special in HTML. The result is valid in an element or an
- * attribute value.
+ * Escapes the special characters of HTML. The result is valid as the content of an element and as
+ * an attribute value.
  */
 std::string Escaped(const std::string& text);
 }

@@ -43,7 +43,7 @@ std::string InShort(double value)
   return text.str();
 }
 
-/// Text fields with their JSON keys.
+/// The string members of StabilityCase and their JSON keys.
 const std::pair<const char*, std::string StabilityCase::*> Texts[] = { { "class",
                                                                          &StabilityCase::Class },
   { "name", &StabilityCase::Name }, { "extreme", &StabilityCase::Extreme },
@@ -76,7 +76,7 @@ StabilityCase FromJson(const nlohmann::json& json)
   return oneCase;
 }
 
-/// Reads the program of each test from a file.
+/// Reads the path of each test's program from tests.txt.
 std::map<std::string, std::string> ReadPrograms(const std::filesystem::path& path)
 {
   std::map<std::string, std::string> programs;
@@ -213,7 +213,7 @@ void StabilityCatalogue::Write() const
   const std::filesystem::path path =
     std::filesystem::path(this->Folder) / (this->Test + FileSuffix);
   std::ofstream file(path);
-  // Error messages may contain any byte. Bytes that are not UTF-8 are replaced, since dump() would
+  // Error messages may contain any byte. Invalid UTF-8 is replaced, since dump() would otherwise
   // throw.
   file << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   if (!file)

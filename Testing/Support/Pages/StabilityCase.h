@@ -21,17 +21,16 @@ struct StabilityCase
   std::string Expected;
   /// Observed result: a description, or the number that is compared with Bound.
   std::string Measured;
-  /// Largest number that passes, or NaN if the case is not a measurement.
+  /// Largest absolute value that passes, or NaN if the case is not a measurement.
   double Bound = std::numeric_limits<double>::quiet_NaN();
   bool Passed = false;
-  /// If several methods are available, for example for stiff fields, the selected method and its
-  /// number of steps. Otherwise empty.
+  /// Selected methods and their numbers of steps, such as `explicit: 7`. Empty if there is no
+  /// choice of methods.
   std::string Method;
-  /// Name of the test.
   std::string Test;
 };
 
-/// Numbers of cases of a class: all, passed, and compared with a bound.
+/// Numbers of cases of a class: all, passed, and measured (compared with a bound).
 struct StabilityCount
 {
   std::string Class;
@@ -59,10 +58,10 @@ std::vector<StabilityCount> CountByClass(const std::vector<StabilityCase>& cases
  * @endcode
  *
  * Every case prints one line. All cases of the test are written to the file
- * `<test>.stability.json`. The environment variable INTERLUME_STABILITY_DIR or else the argument
- * after `-T` gives its directory. Without either, no file is written. The file is rewritten after
- * every case, so that a crash preserves the previous cases. It records whether the test ran to its
- * end. `interlume-bench report` reads the files.
+ * `<test>.stability.json`, in the directory given by the environment variable
+ * INTERLUME_STABILITY_DIR or else by the argument after `-T`. Without either, no file is written.
+ * The file is rewritten after every case, so that the previous cases survive a crash. It also
+ * records whether the test ran to completion. `interlume-bench report` reads these files.
  */
 class StabilityCatalogue
 {
@@ -97,8 +96,8 @@ public:
    * of its lines is a test name, a tab, and the path of the test's program.
    *
    * Throws std::runtime_error with a list of all problems. It is an error if tests.txt is missing
-   * or empty, or if a file belongs to a test that is not listed. The file of each test must exist,
-   * be valid, complete and not empty, and must not be older than the program.
+   * or empty, or if there is a report of a test that is not listed. The report of each listed test
+   * must exist, be valid and complete, contain a case, and not be older than the program.
    */
   static std::vector<StabilityCase> Gather(const std::string& folder);
 

@@ -120,7 +120,8 @@ void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned
   }
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-reach, reach);
-  // Volumes are at least 1e-5 of the mean volume, so tetrahedra are thin but not degenerate.
+  // Moved tetrahedra keep at least 1e-5 of the mean volume, so they may become thin but not
+  // degenerate.
   const double minimumVolume = 1e-5 / std::max<std::uint32_t>(1, mesh.GetNumberOfTetrahedra());
   for (std::size_t move = 0; move < rounds * users.size(); ++move)
   {

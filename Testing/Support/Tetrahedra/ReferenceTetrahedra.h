@@ -16,9 +16,9 @@ struct CubeMesh
 {
   /// Number of cubes along each edge of [-0.5, 0.5]^3.
   int Cubes = 8;
-  /// Number of tetrahedra in a cube: 5, mirrored between neighbors, or 6 around a diagonal.
+  /// Number of tetrahedra per cube: 5 (mirrored in adjacent cubes) or 6 (around a diagonal).
   int Pieces = 6;
-  /// Maximum displacement of inner points, as a fraction of a cube's edge.
+  /// Maximum displacement of interior points along each axis, as a fraction of a cube's edge.
   double Jitter = 0.0;
   unsigned int Seed = 1;
   /// Returns whether the cube with this center is part of the mesh. If empty, all cubes are.
@@ -27,21 +27,20 @@ struct CubeMesh
 
 interlume::TetrahedraMesh MakeCubes(const CubeMesh& form);
 
-/// Moves points within [-0.5, 0.5]^3, \a rounds times each and by up to \a reach along each axis
-/// per move. Moves that invert a tetrahedron are undone. The result is a valid mesh with long and
-/// thin tetrahedra.
+/// Moves each point inside [-0.5, 0.5]^3 \a rounds times, by up to \a reach along each axis. Moves
+/// that invert a tetrahedron are undone. The result is a valid mesh with long, thin tetrahedra.
 void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned int seed);
 
 /// Returns the Delaunay tetrahedra of random points in a cube, computed by vtkDelaunay3D. The
 /// boundary is not quite convex.
 interlume::TetrahedraMesh MakeDelaunay(int points, unsigned int seed);
 
-/// Returns the tetrahedra of \a mesh without shared points.
+/// Returns a copy of \a mesh in which tetrahedra do not share points.
 interlume::TetrahedraMesh Separate(const interlume::TetrahedraMesh& mesh);
 /// Appends a tetrahedron with four new points. Returns its index.
 std::uint32_t Append(
   interlume::TetrahedraMesh& mesh, const std::array<std::array<double, 3>, 4>& corners);
-/// Returns the tetrahedra and corners of \a mesh in a random order.
+/// Returns \a mesh with its tetrahedra, and the corners of each tetrahedron, in random order.
 interlume::TetrahedraMesh Shuffle(const interlume::TetrahedraMesh& mesh, unsigned int seed);
 
 /// A named region that is not convex or has several components.

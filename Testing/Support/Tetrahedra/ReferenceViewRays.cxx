@@ -13,7 +13,8 @@ namespace reference
 {
 namespace
 {
-// Shorter ray segments in a tetrahedron are skipped: rounding would decide whether the ray hits it.
+// Minimum length of a ray's segment in a tetrahedron. Shorter segments are skipped, since rounding
+// errors would decide whether the ray hits the tetrahedron.
 constexpr double MinimumLength = 1e-7;
 constexpr double Tolerance = 1e-9;
 

@@ -25,26 +25,27 @@ struct View
   std::string Name;
   interlume::ViewRays Rays;
 };
-/// Returns a perspective view from \a eye toward \a target, or a parallel view along that line.
+/// Returns a perspective or parallel view from \a eye toward \a target.
 interlume::ViewRays LookAt(
   const glm::dvec3& eye, const glm::dvec3& target, double halfSize, int pixels, bool isParallel);
-/// Returns views of the cube [-0.5, 0.5]^3 from outside, from within, along its axes, and from the
-/// point \a hole.
+/// Returns views of the cube [-0.5, 0.5]^3 from outside, from inside, along an axis, and from
+/// the point \a hole.
 std::vector<View> GetViews(int pixels, const glm::dvec3& hole);
 
 /// Errors of a visibility order along view rays.
 struct OrderErrors
 {
-  /// Number of pairs of consecutive tetrahedra on a view ray, and of pairs in the wrong order.
+  /// Number of pairs of consecutive tetrahedra on view rays.
   long long Pairs = 0;
+  /// Number of pairs in the wrong order.
   long long Misordered = 0;
-  /// Number of pairs of consecutive tetrahedra that overlap, which means that the mesh is invalid.
+  /// Number of pairs that overlap along the ray, which means that the mesh is invalid.
   long long Overlaps = 0;
 };
 
 /**
  * @class   ViewRayCheck
- * @brief   intersects view rays with all tetrahedra of a mesh, one by one
+ * @brief   checks visibility orders by intersecting view rays with all tetrahedra of a mesh
  */
 class ViewRayCheck
 {
@@ -55,8 +56,8 @@ public:
     return static_cast<std::uint32_t>(this->Planes.size() / 4);
   }
 
-  /// Checks the order along view rays through \a number pixel centers: the center of the image and
-  /// random pixels.
+  /// Checks the order along view rays through the centers of \a number pixels: the central pixel
+  /// and random pixels.
   OrderErrors CheckPixels(const interlume::ViewRays& rays,
     const std::vector<std::uint32_t>& frontToBack, int number, unsigned int seed) const;
   /// Checks the order along \a number random view rays.
@@ -81,9 +82,9 @@ private:
 struct OrderTally
 {
   int Orders = 0;
-  /// Number of orders with cycles, which are not checked.
+  /// Number of orders with cycles, which are not checked along view rays.
   int Cyclic = 0;
-  /// Number of pairs on view rays through pixel centers.
+  /// Number of checked pairs of consecutive tetrahedra on view rays.
   long long Pairs = 0;
 };
 
@@ -96,7 +97,7 @@ bool CheckOrder(const ViewRayCheck& viewRays, const interlume::VisibilityOrder& 
   const interlume::ViewRays& rays, const std::vector<std::uint32_t>& order, int lines,
   bool mayBeCyclic, OrderTally& tally, Check& check);
 
-/// Returns whether \a order contains each number below \a number once.
+/// Returns whether \a order contains each integer in [0, \a number) exactly once.
 bool IsPermutation(const std::vector<std::uint32_t>& order, std::uint32_t number);
 
 }

@@ -31,7 +31,7 @@ using Filter = vtkTimeVaryingIntervalVolume;
 
 constexpr double VolumeTolerance = 1e-12;
 
-/// Sorted point ids of cells.
+/// The sorted point ids of each cell.
 template <size_t N>
 using Keys = std::vector<std::array<vtkIdType, N>>;
 
@@ -102,9 +102,9 @@ public:
   }
 
 private:
-  /// Compares the lower cells of an interval with the upper cells of the interval below. On side
-  /// walls and at the first and last step, the interval below may have cells with the value of its
-  /// upper bound that this interval does not have.
+  /// Checks that the lower boundary of interval \a i equals the upper boundary of interval i - 1.
+  /// Unless Generic is set, unmatched cells are allowed on side walls and at the first and last
+  /// step.
   void CheckShared(int i, const Keys<4>& upper, const Keys<4>& lower)
   {
     Keys<4> unmatched;
@@ -178,8 +178,8 @@ private:
     }
   }
 
-  /// Checks that each unmatched face is a cell of the boundary, which occurs once, or lies in a
-  /// side wall.
+  /// Checks that each unmatched face (\a net) is in \a boundary or lies in a side wall, and that
+  /// \a boundary contains no other cells and no duplicates.
   template <size_t N>
   void CheckClosed(const Keys<N>& net, Keys<N> boundary, const std::string& name)
   {
@@ -191,8 +191,8 @@ private:
     std::set_difference(
       boundary.begin(), boundary.end(), net.begin(), net.end(), std::back_inserter(extra));
     const auto isInside = [&](const auto& key) { return !this->Walls.Hold(this->EventsOf(key)); };
-    // At the first or last step, a region whose values equal a bound has boundary cells, even if
-    // the interval is empty at all other times.
+    // At the first or last step, a region where all values equal a bound has boundary cells, even
+    // if the interval is empty at all other times.
     this->Test.Equal(std::count_if(extra.begin(), extra.end(),
                        [this](const auto& key) { return N == 3 || !this->IsAtEnd(key); }),
       0, name + " that are not faces");

@@ -22,8 +22,8 @@ using Event = std::array<double, 4>;
 using SimplexIds = std::array<vtkIdType, 5>;
 using SimplexEvents = std::array<Event, 5>;
 
-/// Returns a grid of VTK_POLY_VERTEX cells of five points in double precision, with a point array
-/// Time (double).
+/// Returns a grid of VTK_POLY_VERTEX cells with five points each. The points and the point array
+/// Time are in double precision.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSimplexGrid(
   const std::vector<Event>& points, const std::vector<SimplexIds>& simplices);
 
@@ -48,7 +48,7 @@ struct KuhnOptions
   /// Below 0.2 every simplex keeps its orientation.
   double MovedInSpace = 0;
   double MovedInTime = 0;
-  /// If true, times are multiples of 1/8, so many are equal.
+  /// If true, times are multiples of 1/8, so that many points have equal times.
   bool HasEqualTimes = false;
   unsigned int Seed = 1;
   /// Returns whether to include the 24 simplices of a hypercube. If empty, all are included.
@@ -62,7 +62,7 @@ struct KuhnOptions
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeKuhnGrid(const KuhnOptions& options);
 
-/// Returns the slice computed by the filter under test.
+/// Returns the slice at time \a t, computed by vtkSimplexTimeSlice, which is the filter under test.
 vtkSmartPointer<vtkUnstructuredGrid> SliceAt(vtkUnstructuredGrid* simplices, double t);
 
 }

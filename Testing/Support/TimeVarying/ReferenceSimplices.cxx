@@ -35,7 +35,8 @@ vtkDataArray* GetArray(vtkDataSetAttributes* attributes, const char* name)
   return array;
 }
 
-/// Calls visit for the cells of an interval that have N points and the value \a number in \a array.
+/// Calls \a visit for each cell with N points that has the given interval and the value \a number
+/// in the cell array \a array.
 template <size_t N>
 void ForEachSimplex(vtkUnstructuredGrid* grid, int interval, const char* array, int number,
   const std::function<void(vtkIdType, const std::array<vtkIdType, N>&)>& visit)
@@ -51,7 +52,7 @@ void ForEachSimplex(vtkUnstructuredGrid* grid, int interval, const char* array, 
     vtkIdType count;
     const vtkIdType* ids;
     grid->GetCellPoints(cell, count, ids);
-    // A tetrahedron at a step repeats its last point and is not a 4-simplex.
+    // A tetrahedron at a time step is stored with its last point repeated. It is not a 4-simplex.
     const bool isTetrahedronAtStep = N == 5 && count == 5 && ids[3] == ids[4];
     if (count == static_cast<vtkIdType>(N) && !isTetrahedronAtStep &&
       (interval == Any || intervals->GetComponent(cell, 0) == interval) &&
@@ -125,7 +126,7 @@ std::vector<OrientedSimplex<4>> FacesOf(const std::vector<FourSimplex>& simplice
   faces.reserve(5 * simplices.size());
   for (const FourSimplex& s : simplices)
   {
-    // Omits point i, and swaps two points if i is odd.
+    // Face i omits point i. If i is odd, two of its points are swapped.
     faces.emplace_back(Tetrahedron{ s[1], s[2], s[3], s[4] });
     faces.emplace_back(Tetrahedron{ s[2], s[0], s[3], s[4] });
     faces.emplace_back(Tetrahedron{ s[0], s[1], s[3], s[4] });
@@ -241,7 +242,8 @@ long double DurationAt(
         auto replaced = corners;
         replaced[i] = x;
         const Real weight = DeterminantOf(replaced) / volume;
-        // Weights of a degenerate tetrahedron are NaN or infinite, so it contains no point.
+        // A degenerate tetrahedron has NaN or infinite weights, and is treated as containing no
+        // point.
         if (!(weight >= 0))
         {
           return;

@@ -27,14 +27,14 @@ std::vector<FourSimplex> FourSimplicesOf(
 /// Returns whether every cell is a VTK_POLY_VERTEX of five valid points.
 bool AreFourSimplices(vtkUnstructuredGrid* grid);
 
-/// Returns the oriented 3-faces of 4-simplices. For a positively oriented simplex, they have the
-/// orientation of its boundary.
+/// Returns the 3-faces of 4-simplices, with the orientation that each simplex induces on its
+/// boundary.
 std::vector<OrientedSimplex<4>> FacesOf(const std::vector<FourSimplex>& simplices);
 
 /// Returns the signed hypervolume of a 4-simplex. The array Time is the fourth coordinate.
 long double HypervolumeOf(vtkUnstructuredGrid* grid, const FourSimplex& simplex);
 
-/// Signed sums over the 4-simplices of port 2 or the tetrahedra of port 0.
+/// Sums of the hypervolumes of the 4-simplices of port 2 or of the tetrahedra of port 0.
 struct HypervolumeSum
 {
   long double Sum = 0;
@@ -42,10 +42,11 @@ struct HypervolumeSum
   long long Count = 0;
 };
 HypervolumeSum MeasureSimplices(vtkUnstructuredGrid* grid, int interval = Any, int slab = Any);
-/// Sums a quarter of each tetrahedron's volume times the sum of DeltaT over its points.
+/// Sums each tetrahedron's volume times the mean of DeltaT over its points.
 HypervolumeSum MeasureWeighted(vtkUnstructuredGrid* grid, int interval = Any, int slab = Any);
 
-/// Returns the cells of port 1 of an interval and a kind. N is 3 for triangles, 4 for tetrahedra.
+/// Returns the cells of port 1 with the given interval and boundary kind. N is 3 for triangles and
+/// 4 for tetrahedra.
 template <size_t N>
 std::vector<std::array<vtkIdType, N>> BoundaryCellsOf(
   vtkUnstructuredGrid* grid, int interval, int kind);
@@ -68,7 +69,7 @@ std::vector<std::vector<WeightedTetrahedron>> GroupByThickPoint(
   const std::vector<WeightedTetrahedron>& tetrahedra);
 
 /// Returns DeltaT interpolated at a point, summed over all tetrahedra of port 0 that contain the
-/// point, with the sign of their orientation. The point must not lie on a face.
+/// point. Tetrahedra with negative volume count negatively. The point must not lie on a face.
 long double DurationAt(
   vtkUnstructuredGrid* tetrahedra, const std::array<double, 3>& point, int interval = Any);
 

@@ -30,7 +30,7 @@ Real Determinant3(
     rows[r][c[2]] * (rows[r + 1][c[0]] * rows[r + 2][c[1]] - rows[r + 1][c[1]] * rows[r + 2][c[0]]);
 }
 
-/// A corner of a tetrahedron at one step.
+/// A corner of a tetrahedron at one time step, with the value of the array.
 struct SpaceTimeCorner
 {
   SpaceTimePoint X;
@@ -63,9 +63,9 @@ Real FractionBetween(std::vector<Real> values, Real lower, Real upper)
   return belowUpper + FractionBelow(values, -lower) - 1;
 }
 
-/// Returns the hypervolume of the region between lower and upper in the prism of a tetrahedron
-/// between two steps. Corners are sorted by their point ids, so neighboring tetrahedra split the
-/// prism over their common triangle in the same way.
+/// Returns the hypervolume of the region where lower <= array <= upper in the prism that a
+/// tetrahedron forms between two time steps. Corners are sorted by their point ids, so neighboring
+/// tetrahedra split the prism over their common triangle in the same way.
 Real PrismBetween(const TimeStep& from, const TimeStep& to, const char* array, Real lower,
   Real upper, const SplitTetrahedron& split)
 {
@@ -92,7 +92,7 @@ Real PrismBetween(const TimeStep& from, const TimeStep& to, const char* array, R
   Real sum = 0;
   for (int turn = 0; turn < 4; ++turn)
   {
-    // Bottom corners 0 ... turn, top corners turn ... 3.
+    // The 4-simplex of bottom corners 0 to `turn` and top corners `turn` to 3.
     std::array<SpaceTimePoint, 5> points;
     std::vector<Real> values;
     for (int i = 0; i < 5; ++i)
@@ -101,8 +101,8 @@ Real PrismBetween(const TimeStep& from, const TimeStep& to, const char* array, R
       points[i] = corner.X;
       values.push_back(corner.Value);
     }
-    // Sign of the permutation that moves the upper end of the edge in time, which follows corner
-    // `turn`, from index turn + 1 to the last. The tetrahedron 0123 is positive.
+    // If the tetrahedron 0123 is positive, the 4-simplex is positive with top corner `turn` as its
+    // last point. Moving this corner there from index turn + 1 takes 3 - turn swaps.
     const int parity = (3 - turn) % 2 == 0 ? 1 : -1;
     sum +=
       parity * SimplexHypervolume(points) * (array ? FractionBetween(values, lower, upper) : 1);
@@ -158,9 +158,9 @@ long double FractionBelow(const std::vector<long double>& values, long double bo
   {
     return 1;
   }
-  // Initially A_0 = 1 and all other A_k = 0. Each value x below the bound replaces A_k by
-  // (y_k * A_k - x * A_{k-1}) / (y_k - x), where y are the values above the bound. All values are
-  // relative to the bound. The last A_k is the fraction.
+  // All values are relative to the bound, and y_1, y_2, ... are the values above it. Initially,
+  // A_0 = 1 and A_k = 0 for k > 0. For each value x <= 0, A_k is replaced with
+  // (y_k * A_k - x * A_{k-1}) / (y_k - x) in order of increasing k. The last A_k is the fraction.
   std::vector<Real> fractions(above.size() + 1, 0);
   fractions[0] = 1;
   for (Real x : below)

@@ -8,7 +8,7 @@
 #include <vector> // for values
 
 /**
- * Measures of regions in space and time, in long double.
+ * Hypervolumes and durations of regions in space-time, in long double.
  */
 namespace reference
 {
@@ -26,23 +26,23 @@ long double SimplexHypervolume(const std::array<SpaceTimePoint, 5>& points);
 long double FractionBelow(const std::vector<long double>& values, long double bound);
 
 /**
- * Returns the hypervolume where lower <= array <= upper between the first and the last step. Each
- * cell is split into tetrahedra, and the prism of each tetrahedron over a slab into four
- * 4-simplices. The result is exact for functions that are linear in space and time if boundary
- * faces stay in planes that move linearly. On static tetrahedra, it is exact for functions that are
- * linear in each tetrahedron and slab.
+ * Returns the hypervolume of the region where lower <= array <= upper between the first and the
+ * last step. Each cell is split into tetrahedra, and the prism that a tetrahedron forms between two
+ * steps is split into four 4-simplices. The result is exact for functions that are linear in space
+ * and time if boundary faces stay in planes that move linearly. On static tetrahedra, it is exact
+ * for functions that are linear in each tetrahedron between two steps.
  */
 long double HypervolumeBetween(
   const TimeSteps& steps, const char* array, double lower, double upper);
 
-/// Returns the hypervolume of the domain between the first and the last step, exact under the same
-/// conditions.
+/// Returns the hypervolume of the domain between the first and the last step. The result is
+/// exact under the same conditions as for HypervolumeBetween().
 long double DomainHypervolume(const TimeSteps& steps);
 
 /**
  * Returns the time during which lower <= array <= upper at a point. The grid must consist of static
- * tetrahedra, and the function must be linear in space and time in each tetrahedron. Returns 0
- * outside the grid.
+ * tetrahedra, and the function must be linear in space and time in each tetrahedron between two
+ * steps. Returns 0 outside the grid.
  */
 long double DurationAt(const TimeSteps& steps, const char* array, double lower, double upper,
   const std::array<double, 3>& point);

@@ -175,7 +175,7 @@ void TemporalGrids::Count(vtkDataObject* data)
   }
   ++this->Alive->Alive;
   this->Alive->Maximum = std::max(this->Alive->Maximum, this->Alive->Alive);
-  // The callback shares the count, since the data may outlive this object.
+  // The callback shares ownership of the counter, since the data may outlive this object.
   vtkNew<vtkCallbackCommand> deleted;
   deleted->SetClientData(new std::shared_ptr<Population>(this->Alive));
   deleted->SetClientDataDeleteCallback(

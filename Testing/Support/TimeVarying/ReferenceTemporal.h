@@ -16,10 +16,10 @@ namespace reference
  * @class   TemporalGrids
  * @brief   temporal source that returns given time steps
  *
- * Returns the last step whose time is not after the requested time, or the first step. Every
- * request returns a copy, so that the number of copies in memory can be counted. A copy is counted
- * until the first point array of its first dataset is deleted, which happens when no data of the
- * step is referenced any more.
+ * Returns the last step whose time is not after the requested time, or the first step if there is
+ * none. Every request returns a copy, so that the number of copies in memory can be counted. A copy
+ * is counted until the first point array of its first dataset is deleted, which happens when the
+ * copy's data is no longer referenced.
  */
 class TemporalGrids : public vtkAlgorithm
 {
@@ -33,7 +33,7 @@ public:
   /// Sets whether TIME_STEPS is reported. Default: true.
   void SetReportsTimes(bool isReported);
 
-  /// Returns the indices of the requested steps, in order.
+  /// Returns the index of the step returned by each request, in order of the requests.
   const std::vector<int>& GetRequests() const { return this->Requests; }
   void ClearRequests() { this->Requests.clear(); }
   /// Returns the maximum number of steps in memory at the same time since SetSteps().

@@ -63,8 +63,8 @@ std::vector<TemporalSource> MakeTemporalSources()
 
 long long CountLeftHandedCells(vtkStructuredGrid* grid)
 {
-  // Corners 0 to 3 of a hexahedron form a cycle, 4 to 7 lie above them. The neighbors of each
-  // corner along three edges are in right-handed order.
+  // The neighbors of each corner of a hexahedron, in right-handed order. Corners 0 to 3 form the
+  // bottom face, and corners 4 to 7 lie above them.
   constexpr int neighbors[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 }, { 7, 5, 0 },
     { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
   long long number = 0;

@@ -38,8 +38,8 @@ struct TemporalSource
   vtkDataArray* GetValues() const;
 };
 
-/// Returns new sources with a few thousand points each: one of each class, and one for each field
-/// of vtkAnalyticFieldSource.
+/// Returns new sources with a few thousand points each: one for each field of
+/// vtkAnalyticFieldSource, and one of each other source class.
 std::vector<TemporalSource> MakeTemporalSources();
 
 /// Returns the number of cells with a corner whose edges along i, j, k are not right-handed.

@@ -26,30 +26,30 @@ struct TimeStep
 
 using TimeSteps = std::vector<TimeStep>;
 
-/// Returns the dataset of a step, or null if the step is composite.
+/// Returns the dataset of a step, or null if its data is composite.
 vtkDataSet* GetDataSet(const TimeStep& step);
 
-/// Returns a step with \a grid for every time. Steps share cells but have their own points and
-/// arrays.
+/// Returns one step with a copy of \a grid for each time. The copies share cells but have their own
+/// points and arrays.
 TimeSteps RepeatGrid(vtkDataSet* grid, const std::vector<double>& times);
 
 /// A function of position, time and point id.
 using SpaceTimeFunction =
   std::function<double(const std::array<double, 3>& x, double time, vtkIdType point)>;
 
-/// Adds a point array to every step and makes it the active scalars.
+/// Adds a point array with the values of \a function to every step, as the active scalars.
 void AddSpaceTimeField(
   const TimeSteps& steps, const SpaceTimeFunction& function, const char* name = "f");
 
 /// Adds independent random numbers, uniform in [0,1), for every point and time.
 void AddRandomTimeField(const TimeSteps& steps, unsigned int seed, const char* name = "f");
 
-/// Adds random integers in [0, values).
+/// Adds independent random integers in [0, \a values) for every point and time.
 void AddIntegerTimeField(
   const TimeSteps& steps, int values, unsigned int seed, const char* name = "f");
 
-/// Adds a random number in [0,1) for each point, plus \a rate * time. On static tetrahedra, this
-/// field is linear in space and time in each tetrahedron.
+/// Adds a field that is a random number in [0,1) for each point, plus \a rate * time. On static
+/// tetrahedra, it is linear in space and time in each tetrahedron.
 void AddDriftingField(
   const TimeSteps& steps, double rate, unsigned int seed, const char* name = "f");
 
@@ -57,12 +57,12 @@ void AddDriftingField(
 using Motion = std::function<void(std::array<double, 3>& x, double time)>;
 void MovePoints(const TimeSteps& steps, const Motion& motion);
 
-/// Scales and shifts each coordinate by amounts that are linear in time. Planes perpendicular to an
-/// axis therefore remain planes, also in space-time.
+/// Scales and shifts each coordinate by amounts that are linear in time. Therefore, planes
+/// perpendicular to an axis remain planes, also in space-time.
 void Stretch(std::array<double, 3>& x, double time);
 
-/// Moves the points that are not on the bounding box at random by up to \a reach along each axis,
-/// differently in each step. Throws std::invalid_argument if there is no such point.
+/// In each step, moves the points that are not on the bounding box by independent random amounts of
+/// up to \a reach along each axis. Throws std::invalid_argument if there are no such points.
 void MoveInside(const TimeSteps& steps, double reach, unsigned int seed);
 
 struct SpaceTimeGrid
@@ -72,11 +72,11 @@ struct SpaceTimeGrid
 };
 
 /// Returns a grid of each structured dataset type, and an unstructured grid of each kind in
-/// AllMeshKinds() with randomly rotated cells and renumbered points. MovePoints() supports all
-/// except the image and the rectilinear grid. The domain is a box, except for honeycomb and Kelvin.
+/// AllMeshKinds(), with a randomly rotated point order in each cell and random point ids.
+/// MovePoints() supports all grids except the image and the rectilinear grid. Every domain is a
+/// box, except those of MeshKind::Honeycomb and MeshKind::Kelvin.
 std::vector<SpaceTimeGrid> AllSpaceTimeGrids(const std::array<int, 3>& cells, unsigned int seed);
 
-/// Returns whether all cells are tetrahedra.
 bool IsTetrahedral(vtkDataSet* data);
 
 /// Returns whether the cells fill their bounding box.

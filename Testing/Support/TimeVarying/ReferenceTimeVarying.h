@@ -15,7 +15,7 @@
 namespace reference
 {
 
-/// Settings of the filter under test. Points are in double precision.
+/// Settings of the filter under test, whose output points are always in double precision.
 struct TimeVaryingSettings
 {
   std::vector<Interval> Intervals;
@@ -45,7 +45,7 @@ struct TimeVaryingExtraction
   ReportCopy Report;
 };
 
-/// Executes the filter under test once with the active scalars.
+/// Runs the filter under test once on the active scalars.
 TimeVaryingExtraction ExtractTimeVarying(
   const TimeSteps& steps, const TimeVaryingSettings& settings);
 

@@ -16,7 +16,7 @@ namespace reference
  * @class   DomainWalls
  * @brief   side walls of a domain at all times between the first and the last step
  *
- * The domain is static, or a box whose sides move linearly from step to step.
+ * The domain must be static, or a box whose sides move linearly between steps.
  */
 class DomainWalls
 {
@@ -29,8 +29,8 @@ public:
     double Time;
   };
 
-  /// Returns whether one side of the box, or one boundary face, contains all points, with a
-  /// tolerance of 1e-10 of the domain's size.
+  /// Returns whether one side of the box, or one boundary face of a domain that is not a box,
+  /// contains all points. The tolerance is 1e-10 times the length of the domain's diagonal.
   bool Hold(const std::vector<Event>& events) const;
 
 private:

@@ -9,14 +9,14 @@ namespace reference
 
 /**
  * @class   CellMedium
- * @brief   medium of homogeneous cells
+ * @brief   medium on a regular grid of homogeneous cells
  */
 class CellMedium : public TransportMedium
 {
 public:
-  /// Sets values for \a counts cells of the given size, starting at \a lower, x fastest. \a albedo
-  /// may have a single value for all cells. Throws std::invalid_argument for other numbers of
-  /// values.
+  /// Creates \a counts cells of the given size. The grid's lower corner is \a lower. Values are in
+  /// cell order, with x varying fastest. \a albedo may have a single value for all cells. Throws
+  /// std::invalid_argument for other numbers of values.
   CellMedium(const glm::dvec3& lower, const glm::dvec3& size, const std::array<int, 3>& counts,
     std::vector<double> extinction, std::vector<glm::dvec3> albedo);
 

@@ -7,11 +7,12 @@
 namespace reference
 {
 
-/// Mean cosine of the scattering angle of water drops.
+/// Mean cosine of the scattering angle for water droplets.
 constexpr double CloudAnisotropy = 0.85;
 
-/// Returns a cumulus with an optical depth of about 25, lit by the sun from behind and above, in a
-/// square image. The grid has \a cells cells along its longest edge. There is no absorption.
+/// Returns a scene with a cumulus cloud, lit by the sun from above and from behind the cloud. The
+/// cloud has an optical depth of about 25 and no absorption. Its grid has \a cells cells along its
+/// longest edge, and the image has \a pixels x \a pixels pixels.
 ShadowScene MakeCloudCase(int cells, int pixels);
 
 }

@@ -11,7 +11,7 @@ namespace reference
 
 /**
  * @class   FunctionMedium
- * @brief   medium defined by functions
+ * @brief   medium defined by functions of position
  */
 class FunctionMedium : public TransportMedium
 {
@@ -19,7 +19,8 @@ public:
   using Extinction = std::function<double(const glm::dvec3&)>;
   using Albedo = std::function<glm::dvec3(const glm::dvec3&)>;
 
-  /// The \a extinction must be in \a range everywhere. Outside the box, the medium is empty.
+  /// Creates a medium in the box from \a lower to \a upper. The extinction must be in \a range
+  /// everywhere in the box.
   FunctionMedium(const glm::dvec3& lower, const glm::dvec3& upper, const ExtinctionRange& range,
     const Extinction& extinction, const Albedo& albedo);
 

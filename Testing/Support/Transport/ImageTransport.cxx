@@ -21,7 +21,8 @@ namespace
 constexpr double FullSolidAngle = 4.0 * 3.14159265358979324;
 constexpr double Never = std::numeric_limits<double>::infinity();
 
-/// Returns the light of all sources that is scattered toward the camera at the ray's origin.
+/// Returns the direct light of all sources that is scattered at the ray's origin into the direction
+/// opposite to the ray.
 glm::dvec3 GetLight(const TransportMedium& medium, const TransportRay& ray,
   const ImageTransportSettings& settings, TransportRandom& random)
 {
@@ -38,7 +39,7 @@ glm::dvec3 GetLight(const TransportMedium& medium, const TransportRay& ray,
   return sum;
 }
 
-/// Returns color and opacity (0 or 1) of one path.
+/// Returns the color and the opacity (0 or 1) of one path.
 std::array<double, 4> Follow(const TransportMedium& medium, TransportRay ray,
   const ImageTransportSettings& settings, TransportRandom& random)
 {

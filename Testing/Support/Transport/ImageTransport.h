@@ -20,12 +20,12 @@ struct TransportLight
 {
   /// Direction of propagation, of length 1.
   glm::dvec3 Direction{ 0.0, 0.0, 1.0 };
-  /// Color of a thin, isotropically scattering medium of albedo 1 in this light.
+  /// Color that a thin, isotropically scattering medium with albedo 1 has in this light.
   glm::dvec3 Color{ 1.0, 1.0, 1.0 };
 };
 
 /**
- * Settings of a rendering with scattered light, besides the medium and the view rays.
+ * Settings for rendering scattered light, in addition to the medium and the view rays.
  */
 struct ImageTransportSettings
 {
@@ -49,7 +49,8 @@ struct TransportImage
   RgbaImage StandardError;
 };
 
-/// Returns the view ray of a pixel, counted from the lower left. It must start outside the medium.
+/// Returns the view ray of pixel (i, j), counted from the lower left. The ray must start outside
+/// the medium.
 using SightLines = std::function<TransportRay(int i, int j)>;
 
 /**

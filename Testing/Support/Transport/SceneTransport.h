@@ -27,8 +27,8 @@ struct SceneTransportSettings
 /**
  * Renders a volume with scattered light, as vtkShadowedSliceMapper does, with view rays through the
  * pixel centers. The image data must be axis-aligned, the volume must not have a matrix, all lights
- * must be directional, and no actor is allowed. Throws std::invalid_argument otherwise, and like
- * VolumeMedium.
+ * must be directional, and no actor is allowed. Throws std::invalid_argument otherwise, and if the
+ * image has no active one-component point scalars.
  */
 TransportImage TraceScene(const ShadowScene& scene, const SceneTransportSettings& settings);
 

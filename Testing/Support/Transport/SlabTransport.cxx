@@ -16,18 +16,19 @@ namespace reference
 namespace
 {
 
-/// Number of paths that one thread sums up, so that sums do not depend on the number of threads.
+/// Number of paths in a batch. One thread sums all paths of a batch, and the batches are added in
+/// order, so that the result does not depend on the number of threads.
 constexpr std::uint64_t PathsPerBatch = 4096;
 
 struct PathScore
 {
   double Reflected = 0.0;
   double Transmitted = 0.0;
-  /// Value of the martingale at the end of the path minus its value at the start.
+  /// Control variate: the martingale of TraceSlab() at the end of the path minus its initial value.
   double Control = 0.0;
 };
 
-/// Sums over paths of a score, the control variate, and their products.
+/// Sums over paths of a score, the control variate, their squares, and their product.
 struct ControlledSums
 {
   double Score = 0.0;
@@ -112,7 +113,7 @@ public:
         score.Control += (isBack ? 0.0 : this->Settings.Depth) + ray.Direction.z * this->Reach;
         return score;
       }
-      // The slab is infinite and homogeneous in x and y, so only z is updated.
+      // The slab is infinite and homogeneous in x and y, so only z matters.
       ray.Origin.z += distance * ray.Direction.z;
     }
   }

@@ -15,12 +15,12 @@ namespace reference
  */
 struct SlabTransportSettings
 {
-  /// Optical depth: extinction times thickness, above 0.
+  /// Optical depth (extinction times thickness), greater than 0.
   double Depth = 1.0;
   /// 0 to 1.
   double Albedo = 1.0;
   TransportPhase Phase;
-  /// Cosine of the angle between the light and the slab's normal, above 0, at most 1.
+  /// Cosine of the angle between the light and the slab's normal, in (0, 1].
   double Cosine = 1.0;
   /// Majorant of delta tracking relative to the extinction, at least 1.
   double Majorant = 1.0;
@@ -34,21 +34,21 @@ struct SlabTransportSettings
 struct SlabTransportResult
 {
   TransportEstimate Reflected;
-  /// Flux of light that was scattered at least once.
+  /// Flux of transmitted light that was scattered at least once.
   TransportEstimate Transmitted;
-  /// Flux of unscattered light: exp(-depth / cosine).
+  /// Flux of transmitted light that was not scattered: exp(-depth / cosine).
   double Direct = 0.0;
 };
 
 /**
  * Computes reflection and transmission of a slab by path tracing. Every path is forced to collide
- * and weighted by the probability of a collision. The result is independent of the number of
- * threads.
+ * at least once and weighted by the probability of a collision. The result is independent of the
+ * number of threads.
  *
  * Between scattering events, the current depth plus mu / (1 - g), where mu is the cosine of the
- * direction, is a martingale: its mean at the end of paths equals its mean at the start. It is
- * therefore used as a control variate. Subtracting a multiple of it from a path's score keeps the
- * mean and reduces the variance, most of all for deep slabs without absorption.
+ * direction, is a martingale: its mean at the end of the paths equals its mean at the start.
+ * It is therefore used as a control variate. Subtracting a multiple of it from a path's score keeps
+ * the mean and reduces the variance, especially for deep slabs without absorption.
  */
 SlabTransportResult TraceSlab(const SlabTransportSettings& settings);
 

@@ -10,7 +10,7 @@ namespace reference
 {
 
 /**
- * Unbiased sampling of light between two collisions in any medium.
+ * Unbiased estimates of collisions and transmittance along a ray in any medium.
  */
 namespace TransportFlight
 {
@@ -23,16 +23,16 @@ double SampleCollision(
   const TransportMedium& medium, const TransportRay& ray, TransportRandom& random);
 
 /**
- * Returns an estimate of the transmittance up to \a end. Uses residual ratio tracking: J. Novak et
- * al., "Residual ratio tracking for estimating attenuation in participating media", 2014. The
- * estimate is exact in homogeneous cells.
+ * Returns an estimate of the transmittance up to the distance \a end. Uses residual ratio tracking:
+ * J. Novak et al., "Residual ratio tracking for estimating attenuation in participating media",
+ * 2014. The estimate is exact in homogeneous cells.
  */
 double EstimateTransmittance(
   const TransportMedium& medium, const TransportRay& ray, double end, TransportRandom& random);
 
 /**
- * Applies Russian roulette to paths with a small weight. Returns false if the path ends, otherwise
- * scales \a weight to compensate for ended paths.
+ * Applies Russian roulette to a path if its weight is small. Returns false if the path ends,
+ * otherwise scales \a weight to compensate for terminated paths.
  */
 bool Survives(glm::dvec3& weight, TransportRandom& random);
 }

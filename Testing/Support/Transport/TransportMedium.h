@@ -51,14 +51,15 @@ public:
   /// Clips [begin, end] to the box. Returns false if the result is empty.
   bool Clip(const TransportRay& ray, double& begin, double& end) const;
 
-  /// Calls visit(a, b, range) for the intervals of the ray in each cell, in order, until it returns
-  /// false or the ray leaves the box.
+  /// Calls visit(a, b, range) for each cell along the ray, where [a, b] is the ray's interval of
+  /// distances in the cell. Stops if visit returns false, at \a end, or where the ray leaves the
+  /// box.
   template <typename Visit>
   void Walk(const TransportRay& ray, double end, const Visit& visit) const;
 
 protected:
-  /// Sets the box and the number of cells along its axes, with x fastest in \a ranges. An axis with
-  /// one cell may be infinite.
+  /// Sets the box, the number of cells along each axis, and the extinction ranges of the cells,
+  /// with x varying fastest. The box may be infinite along an axis with only one cell.
   void SetCells(const glm::dvec3& lower, const glm::dvec3& upper, const std::array<int, 3>& counts,
     std::vector<ExtinctionRange> ranges);
 

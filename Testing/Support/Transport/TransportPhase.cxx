@@ -45,7 +45,7 @@ TransportPhase TransportPhase::Table(
   {
     const double width = cosines[i] - cosines[i - 1];
     phase.Cumulative.push_back(phase.Cumulative.back() + 0.5 * width * (values[i - 1] + values[i]));
-    // The integral of the cosine times a linear piece.
+    // The integral of the cosine times the function, which is linear between nodes.
     phase.MeanCosine += width *
       (cosines[i - 1] * (2.0 * values[i - 1] + values[i]) +
         cosines[i] * (values[i - 1] + 2.0 * values[i])) /
@@ -89,7 +89,7 @@ double TransportPhase::SampleTable(double cumulative) const
   const double width = this->Cosines[i] - this->Cosines[i - 1];
   const double low = this->Values[i - 1];
   const double slope = this->Values[i] - low;
-  // Solves rest = low * t + slope * t^2 / 2 for t, in the numerically stable form of the root.
+  // Solves rest = low * t + slope * t^2 / 2 for t. This form of the root is numerically stable.
   const double rest = width > 0.0 ? (cumulative - this->Cumulative[i - 1]) / width : 0.0;
   const double root = std::sqrt(std::max(low * low + 2.0 * slope * rest, 0.0));
   const double t = low + root > 0.0 ? 2.0 * rest / (low + root) : 0.0;

@@ -13,11 +13,11 @@ class TransportRandom;
 
 /**
  * @class   TransportPhase
- * @brief   phase function of scattering
+ * @brief   phase function p(c), where c is the cosine of the scattering angle
  *
- * p(c) is per steradian, where c is the cosine of the scattering angle, 1 for forward scattering.
- * Its integral over the sphere is 1. It is isotropic, the Henyey-Greenstein function (1 - g^2) / (4
- * pi (1 + g^2 - 2 g c)^(3/2)), or a piecewise linear table.
+ * c is 1 for forward scattering. p is per steradian, and its integral over the sphere is 1. It is
+ * isotropic, the Henyey-Greenstein function (1 - g^2) / (4 pi (1 + g^2 - 2 g c)^(3/2)), or a
+ * piecewise linear table.
  */
 class TransportPhase
 {
@@ -26,16 +26,16 @@ public:
   TransportPhase() = default;
   /// Returns a Henyey-Greenstein function. \a g must be between -1 and 1, exclusive.
   static TransportPhase HenyeyGreenstein(double g);
-  /// Returns a tabulated function from nonnegative values of any scale at cosines that rise from -1
-  /// to 1. Throws std::invalid_argument for other input.
+  /// Returns the normalized function with the given nonnegative values at the given cosines, which
+  /// rise from -1 to 1. Throws std::invalid_argument for other input.
   static TransportPhase Table(
     const std::vector<double>& cosines, const std::vector<double>& values);
 
-  /// Returns p at a cosine, per steradian.
+  /// Returns p(cosine).
   double GetValue(double cosine) const;
   /// Returns the mean cosine g.
   double GetMeanCosine() const { return this->MeanCosine; }
-  /// Returns a random direction after scattering of light with the given direction.
+  /// Returns the random direction in which light that travels along \a direction is scattered.
   glm::dvec3 Scatter(const glm::dvec3& direction, TransportRandom& random) const;
 
 private:
@@ -43,8 +43,8 @@ private:
   double SampleTable(double cumulative) const;
 
   double MeanCosine = 0.0;
-  /// The table: cosines of the nodes, p times 2 pi, and the cumulative distribution. Empty if there
-  /// is no table.
+  /// The cosines, p times 2 pi, and the cumulative distribution at the nodes of the table. Empty if
+  /// there is no table.
   std::vector<double> Cosines;
   std::vector<double> Values;
   std::vector<double> Cumulative;

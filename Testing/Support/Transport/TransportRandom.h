@@ -9,11 +9,11 @@ namespace reference
 
 /**
  * @class   TransportRandom
- * @brief   random numbers of one path, determined by its seed and index
+ * @brief   random numbers of one path, determined by a seed and the path's index
  *
  * The n-th number is a hash of a counter (G. Steele, D. Lea and C. Flood, "Fast splittable
- * pseudorandom number generators", OOPSLA 2014). Therefore, a path has the same numbers in any
- * thread.
+ * pseudorandom number generators", OOPSLA 2014). Therefore, a path's numbers do not depend on
+ * the thread.
  */
 class TransportRandom
 {

@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr int NumberOfColumns = 4096;
-/// Number of image cells along the edge of a block that shares one extinction range.
+/// Edge length of a block in image cells. Each block has one extinction range.
 constexpr int BlockSize = 4;
 /// exp(-OpticalDepthOfOpaque) is negligible.
 constexpr double OpticalDepthOfOpaque = 700.0;
@@ -107,7 +107,7 @@ std::vector<ExtinctionRange> VolumeMedium::GetBlockRanges(const std::array<int, 
     const auto begin = this->Extinction.begin() + static_cast<int>(low);
     const auto end =
       this->Extinction.begin() + std::min(static_cast<int>(high) + 2, NumberOfColumns);
-    // A block at the upper boundary of the image extends beyond it, where the extinction is 0.
+    // A block at the upper boundary of the image may extend beyond it, where the extinction is 0.
     ranges.push_back(
       { isInside ? *std::min_element(begin, end) : 0.0, *std::max_element(begin, end) });
   }

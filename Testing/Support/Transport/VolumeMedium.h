@@ -17,14 +17,14 @@ namespace reference
  *
  * Uses the active one-component point scalars with trilinear interpolation. The extinction is -ln(1
  * - opacity) per ScalarOpacityUnitDistance. The albedo is the volume's color or a separate
- * function. Functions are sampled in tables of 4,096 columns over the range of the data and
- * interpolated linearly.
+ * function of the scalars. All functions are sampled in tables of 4,096 columns over the scalar
+ * range and interpolated linearly.
  */
 class VolumeMedium : public TransportMedium
 {
 public:
-  /// \a albedo may be null. Throws std::invalid_argument if the image has no active one-component
-  /// point scalars.
+  /// If \a albedo is null, the albedo is the volume's color. Throws std::invalid_argument if the
+  /// image has no active one-component point scalars.
   VolumeMedium(
     vtkImageData* image, vtkVolumeProperty* property, vtkColorTransferFunction* albedo = nullptr);
 
@@ -32,7 +32,7 @@ public:
   glm::dvec3 GetAlbedo(const glm::dvec3& position) const override;
 
 private:
-  /// Returns the interpolated scalar as a position in the table, in columns.
+  /// Returns the interpolated scalar as a fractional column of the tables, or -1 outside the image.
   double GetColumn(const glm::dvec3& position) const;
   std::vector<ExtinctionRange> GetBlockRanges(const std::array<int, 3>& blocks) const;
 

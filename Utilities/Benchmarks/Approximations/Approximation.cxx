@@ -18,7 +18,7 @@ const char* const IsDefault = "default";
 const char* const IsBaseline = "peer";
 const char* const ProcessorSeconds = "processor_seconds";
 
-/// Returns the counts that are sizes, as text.
+/// Formats those counts that were set by Trials::SetSize().
 std::string SizesOf(const BenchRow& row)
 {
   std::string text;
@@ -83,7 +83,7 @@ BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows)
   bool hasProcessorTimes = false;
   for (const BenchRow& row : rows)
   {
-    // Zero cannot be drawn on a logarithmic axis.
+    // An error of zero cannot be drawn on a logarithmic axis.
     if (row.Case != question.Name || !(*row.Error > 0.0))
     {
       continue;

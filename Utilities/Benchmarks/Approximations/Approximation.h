@@ -20,11 +20,11 @@ namespace approximations
 /// A question that one plot answers.
 struct Question
 {
-  /// Case of the question's rows, and name of its plot.
+  /// The case in the rows, and the name of the plot.
   std::string Name;
   std::string Title;
   std::string Text;
-  /// Data, method and baseline, for the caption. Sizes are added from the rows, see
+  /// Data, method and baseline for the caption, to which the sizes in the rows are added; see
   /// Trials::SetSize.
   std::string Conditions;
   std::string TimeLabel;
@@ -39,8 +39,8 @@ enum class Maker
   Baseline
 };
 
-/// Clock that measures the times of a plot: wall time, or the processor time of all threads.
-/// Processor time is not affected by other programs.
+/// Clock that measures the times of a plot: wall time, or the CPU time of all threads. Other
+/// programs do not affect CPU time.
 enum class Clock
 {
   Wall,
@@ -65,9 +65,9 @@ public:
   /// Stores a size, such as the number of pixels along an edge, in all rows. The caption shows it.
   void SetSize(const std::string& name, double number) { this->Sizes[name] = number; }
 
-  /// Measures all trials and adds a row for each. Counts: `default` with value 1 for
-  /// Maker::Default, `peer` with value 1 for Maker::Baseline, the sizes, and, with
-  /// Clock::Processor, `processor_seconds`.
+  /// Measures all trials and adds a row for each. The counts of a row are the sizes, `default` = 1
+  /// for Maker::Default, `peer` = 1 for Maker::Baseline, and `processor_seconds` for
+  /// Clock::Processor.
   void Run(const Question& question, const BenchOptions& options, BenchRows& rows,
     Clock clock = Clock::Wall) const;
 
@@ -93,16 +93,16 @@ struct Family
 };
 
 /// Returns the plot of a question's rows: a series for each method, with a ring around the point of
-/// the default setting. If the rows have processor times, the plot shows them instead of wall
-/// times, and its axis and caption state this.
+/// the default setting. If the rows have CPU times, the plot shows them instead of wall times, and
+/// its axis and caption state this.
 BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows);
 
-/// Returns the claim that the default setting of each family is on its Pareto front, see
-/// GetCostOverFront.
+/// Returns the claim that the default setting of each family is on the Pareto front of the family's
+/// plot, see GetCostOverFront.
 BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<BenchRow>& rows);
 
-/// Returns a part of a suite with one case per question. It makes a plot of error against run time
-/// for each question, and checks the claim of CheckDefaults().
+/// Returns a part of a suite with one case per question. The part plots error against run time for
+/// each question and checks the claim of CheckDefaults().
 BenchPart MakeFamilyPart(const std::vector<Family>& families);
 
 /// Formats the value of a setting, such as 0.5 or 64.

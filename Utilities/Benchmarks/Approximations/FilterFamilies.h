@@ -5,25 +5,26 @@
 #include "Benchmarks/Approximations/Approximation.h"
 
 /**
- * Questions of the suite `filter-errors`: results of filters compared with formulas.
+ * Families of the suite `filter-errors`, which compares results of filters with formulas.
  */
 namespace approximations
 {
-/// vtkIsotableContour, vtkFlyingEdges3D and vtkContour3DLinearGrid at several grid resolutions.
+/// Compares vtkIsotableContour, vtkFlyingEdges3D and vtkContour3DLinearGrid at several grid
+/// resolutions.
 Family MakeContourFamily();
 
-/// vtkTetrahedralMesher with several values of MaximumVolume and QualityBound, and vtkDelaunay3D.
-/// Adds no rows if the mesher was not built.
+/// Compares vtkTetrahedralMesher, with several values of MaximumVolume and QualityBound, with
+/// vtkDelaunay3D. Adds no rows if the mesher was not built.
 Family MakeMesherFamily();
 
-/// vtkFlowCriticalPoints and vtkVectorFieldTopology at several grid resolutions.
+/// Compares vtkFlowCriticalPoints and vtkVectorFieldTopology at several grid resolutions.
 Family MakeCriticalPointFamily();
-/// vtkVortexAxis at several grid resolutions.
+/// Measures vtkVortexAxis at several grid resolutions.
 Family MakeVortexAxisFamily();
-/// vtkStreamSurfaceParameters with several values of Resolution.
+/// Measures vtkStreamSurfaceParameters with several values of Resolution.
 Family MakeStreamSurfaceFamily();
 
-/// vtkFlowLIC with several values of StepLength.
+/// Measures vtkFlowLIC with several values of StepLength.
 Family MakeLicStepFamily();
 }
 

@@ -34,7 +34,7 @@ using Vector = std::array<double, 3>;
 
 const char* const TimeLabel = "run time (s)";
 
-/// Returns an image with points^3 points in the cube from -1 to 1 and a velocity array.
+/// Samples \a velocity at points^3 points in the cube [-1, 1]^3.
 vtkSmartPointer<vtkImageData> SampleFlow(
   int points, const std::function<Vector(const Vector&)>& velocity)
 {
@@ -82,8 +82,8 @@ std::vector<double> ZerosAlong(int axis)
   return zeros;
 }
 
-/// Returns the mean distance of the zeros of the waves from the nearest point found. Each distance
-/// is limited to 0.25, which is also counted for a missed zero.
+/// Returns the mean distance from a zero of Waves() to the nearest point of \a found. Distances are
+/// limited to 0.25, so a missed zero counts as 0.25.
 double MeasureZeros(vtkPolyData* found)
 {
   constexpr double maximum = 0.25;
@@ -143,7 +143,7 @@ std::array<double, 2> AxisAt(double z)
   return { { 0.3 * std::sin(2.0 * z), 0.2 * std::cos(3.0 * z) } };
 }
 
-/// Velocity of a vortex around a curved axis, with a Gaussian speed profile.
+/// Returns the velocity of a vortex around a curved axis, with a Gaussian speed profile.
 Vector BentVortex(const Vector& x)
 {
   const std::array<double, 2> axis = AxisAt(x[2]);
@@ -236,8 +236,8 @@ struct RoundSurface
 };
 
 /// Returns the mean difference between the texture coordinate s and the arc length along the circle
-/// at the points of the triangles, in turns. The start and the orientation of a contour are
-/// arbitrary, so the better orientation is used and the mean offset is removed.
+/// at the points of the triangles, as a fraction of the circumference. The start and orientation of
+/// a contour are arbitrary, so the better orientation is used and the mean offset is removed.
 double MeasureArcs(vtkPolyData* surface)
 {
   vtkDataArray* texture = surface->GetPointData()->GetArray("StreamTexture");

@@ -50,8 +50,8 @@ Vector Along(const Vector& x, double arc)
   return { { c * x[0] - s * x[1], s * x[0] + c * x[1], x[2] } };
 }
 
-/// Returns points that the golden angle distributes over an annulus, which streamlines do not
-/// leave.
+/// Returns points that are distributed over an annulus by the golden angle. Streamlines stay in the
+/// annulus.
 std::vector<Vector> MakePoints(int number)
 {
   std::vector<Vector> points;
@@ -105,8 +105,9 @@ double IntegrateNoise(const Vector& x, int kernel)
   return sum / weights;
 }
 
-/// Returns the root mean square difference, in standard deviations, between the LIC values and
-/// \a means, which are scaled by a least-squares fit. Values clamped to 0 or 1 are excluded.
+/// Returns the root mean square difference between the LIC values and \a means, relative to
+/// Contrast, the standard deviation of the values. The means are scaled by a least-squares fit.
+/// Values clamped to 0 or 1 are excluded.
 double MeasureMeans(vtkFlowLIC* filter, const std::vector<double>& means)
 {
   vtkDataArray* values =

@@ -9,7 +9,7 @@
 #include <vector>
 
 /**
- * Rows of interlume-bench-costs, suite `scene-costs`.
+ * Rows of the suite `scene-costs`, which interlume-bench-costs measures.
  *
  * In each row, the case is a scene, the method is a class, and the parameter is a feature that an
  * object of the class does not use in the scene. A feature is named after its setting. Seconds are
@@ -22,16 +22,16 @@
  * does not exceed the noise. Counts with the prefix `on_` are the cost of the feature while it is
  * on.
  *
- * Summaries have the case AllScenes. Their counts are `scenes`, the number of scenes that do not
- * use the feature, the largest remaining resources, median times, medians of the `on_` counts, and
- * the number of scenes `within_noise`.
+ * Summaries have the case AllScenes. `scenes` is the number of scenes that do not use the feature,
+ * and `within_noise` is the number of scenes in which `ms` does not exceed the noise. Other counts
+ * are the largest remaining resources, median times, and medians of the `on_` counts.
  */
 namespace costs
 {
 extern const char* const Suite;
 extern const char* const AllScenes;
 
-/// Returns the summaries of \a rows, which belong to single scenes.
+/// Returns a summary of each feature over all scenes. \a rows must not contain summaries.
 std::vector<BenchRow> Summarize(const std::vector<BenchRow>& rows);
 
 /// Returns two claims: no feature leaves resources in any scene after it is switched off, and the

@@ -26,7 +26,7 @@
 
 namespace
 {
-/// Returns milliseconds, rounded to microseconds.
+/// Converts seconds to milliseconds, rounded to microseconds.
 double Milliseconds(double seconds)
 {
   return std::round(1e6 * seconds) / 1e3;
@@ -62,7 +62,7 @@ BenchRow MakeRow(
 /// Rows by scene, without summaries.
 using SceneRows = std::map<std::string, std::vector<BenchRow>>;
 
-/// Replaces the rows of each scene that \a file contains.
+/// Replaces the rows in \a scenes of each scene that \a file contains.
 void Take(const BenchResults& file, SceneRows& scenes)
 {
   SceneRows taken;
@@ -79,7 +79,7 @@ void Take(const BenchResults& file, SceneRows& scenes)
   }
 }
 
-/// Sets the rows of scenes in the order of the gallery, with their summaries and claims.
+/// Sets the rows of \a results in the order of the gallery, with their summaries and claims.
 void SetRows(BenchResults& results, const SceneRows& scenes)
 {
   std::vector<BenchRow> rows;
@@ -97,7 +97,7 @@ void SetRows(BenchResults& results, const SceneRows& scenes)
   results.Rows = rows;
 }
 
-/// Combines the rows of files. Conditions are combined by JoinConditions.
+/// Combines the rows of several files, and their conditions with JoinConditions().
 BenchResults ReadAll(const std::vector<std::string>& paths)
 {
   SceneRows scenes;

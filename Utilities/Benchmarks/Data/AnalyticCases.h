@@ -32,7 +32,7 @@ struct AnalyticCase
 };
 
 /**
- * Returns the cases `sphere`, `torus`, `product` (trilinear, so sampling adds no error) and
+ * Returns the cases `sphere`, `torus`, `product` (trilinear, so interpolation is exact) and
  * `gyroid`.
  */
 std::vector<AnalyticCase> MakeAnalyticCases();

@@ -94,7 +94,7 @@ vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& na
 
 vtkSmartPointer<vtkRTAnalyticSource> MakeWaveletSource(int points)
 {
-  // The source scales its field to its extent, so every size has the same waves.
+  // The source scales its field to its extent, so the waves are the same at every resolution.
   auto source = vtkSmartPointer<vtkRTAnalyticSource>::New();
   const int half = points / 2;
   source->SetWholeExtent(

@@ -15,7 +15,7 @@
 class vtkRTAnalyticSource;
 
 /**
- * A dataset whose only point array is the scalars, and the interval to extract. The lower bound is
+ * A dataset with scalars as its only point array, and the interval to extract. The lower bound is
  * also the isovalue of contours.
  */
 struct BenchData
@@ -51,7 +51,7 @@ BenchData MakeWavelet(int points);
 int WaveletPoints(const BenchOptions& options);
 
 /**
- * Returns the wavelet and the data files of the suites interval and contour: image data, a
+ * Returns the cases of the suites interval and contour: the wavelet, and data files with images, a
  * curvilinear grid and an unstructured hexahedral grid. Throws std::runtime_error if a file cannot
  * be read.
  */
@@ -71,8 +71,8 @@ vtkSmartPointer<vtkUnstructuredGrid> ToHexahedra(vtkDataSet* data);
 
 /**
  * Returns the case `random-<type>`: cells without shared points, of type VTK_TETRA, VTK_PYRAMID,
- * VTK_WEDGE or VTK_HEXAHEDRON. Each cell is regular with edge length 1 (pyramids have height 1).
- * Scalars are uniform in [0, 1], and the interval is [0.3, 0.7].
+ * VTK_WEDGE or VTK_HEXAHEDRON. All cells have the same corners and the bounding box [0, 1]^3.
+ * Scalars are random with uniform distribution in [0, 1], and the interval is [0.3, 0.7].
  */
 BenchData MakeRandomCells(int cellType, int numberOfCells, unsigned int seed);
 

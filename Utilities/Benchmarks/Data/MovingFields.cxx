@@ -29,7 +29,7 @@ MovingField MakeField(
 
 MovingField MakeWave(const BenchOptions& options)
 {
-  // The wavelength is long along y, and the field is linear in z.
+  // Fewer points suffice along y, where the wavelength is long, and z, where the field is linear.
   const std::array<int, 3> points =
     options.Pick<std::array<int, 3>>({ { 161, 31, 16 } }, { { 121, 21, 11 } }, { { 41, 11, 6 } });
   MovingField wave = MakeField("wave", vtkAnalyticFieldSource::WAVE, points, -0.15, 0.15);

@@ -23,7 +23,7 @@ struct MovingField
   static constexpr double LastTime = 2.0;
 
   std::string Name;
-  /// The source, in double precision. Callers set its time steps.
+  /// Source of the field, in double precision. Callers set the number of its time steps.
   vtkSmartPointer<vtkAnalyticFieldSource> Source;
   double Lower;
   double Upper;

@@ -32,7 +32,7 @@ ExplicitFlowVolume::ExplicitFlowVolume(
 void ExplicitFlowVolume::MakePatch()
 {
   this->Streamlines.push_back({ { { this->Inflow.X, this->Inflow.Y, this->Inflow.Z } } });
-  // Ring k has 6 k points; this returns the id of a point of a ring.
+  // Returns the id of a point of a ring. Ring 0 is the center, and ring k has 6 k points.
   const auto getPoint = [](int ring, int at) -> vtkIdType
   { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + at % (6 * ring); };
   for (int ring = 1; ring <= this->Options.Rings; ++ring)

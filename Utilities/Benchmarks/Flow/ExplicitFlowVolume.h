@@ -51,7 +51,7 @@ private:
   double Time;
   Settings Options;
   std::vector<Triangle> Patch;
-  /// Positions of each point of the patch at all layers.
+  /// For each point of the patch, its positions in all layers.
   std::vector<std::vector<Vector>> Streamlines;
 };
 

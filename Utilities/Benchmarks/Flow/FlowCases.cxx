@@ -19,7 +19,7 @@ namespace flow
 {
 namespace
 {
-/// Displaces the points of \a grid and samples the field at them.
+/// Displaces the points of \a grid, whose cells have the size \a width, and samples the field.
 void MoveAndSample(vtkUnstructuredGrid* grid, const vtkAnalyticFlowSource* source, double width)
 {
   constexpr double pi = 3.14159265358979323846;

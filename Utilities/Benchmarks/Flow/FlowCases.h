@@ -31,10 +31,10 @@ struct Case
   bool IsBoxGrid = false;
 };
 
-/// Returns one period of ABC flow in [-1, 1]^3 on points^3 points.
+/// Returns a source of one period of ABC flow at points^3 points in [-1, 1]^3.
 vtkSmartPointer<vtkAnalyticFlowSource> MakeBeltrami(int points);
 
-/// Returns \a number pseudo-random points, uniform in the cube from -\a half to \a half.
+/// Returns \a number pseudo-random points, uniformly distributed in the cube [-half, half]^3.
 vtkSmartPointer<vtkPolyData> MakeSeeds(int number, double half, unsigned int seed);
 
 /**

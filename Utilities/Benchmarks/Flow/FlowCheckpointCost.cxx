@@ -18,12 +18,12 @@ namespace flow
 namespace
 {
 /**
- * Measures the cost of checkpoints while the field HURRICANE is advected backward to the faces of
- * the domain for at most 10 units of time. The baseline is the same filter without a checkpoint
- * file. Methods:
+ * Measures the cost of checkpoints while samples are advected backward in the field HURRICANE to
+ * the faces of the domain for at most 10 units of time. The baseline is the same filter without a
+ * checkpoint file. Methods:
  * - `checkpoints`: the default CheckpointInterval, one minute;
  * - `checkpoints-often`: interval 0, a checkpoint whenever there is something to write and the last
- *   one took less than a tenth of the time since.
+ *   checkpoint took less than a tenth of the time since then.
  */
 void AddCheckpointRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -29,7 +29,7 @@ double Disk::Integrate(const std::function<double(const double x[3])>& function)
 
 DiskVolume::DiskVolume(const Disk& disk)
 {
-  // u and v are y and z relative to the center of the disk.
+  // The parameters u and v are y and z relative to the center of the disk.
   vtkNew<vtkTerminationPlane> plane;
   plane->SetOrigin(disk.X, disk.Y, disk.Z);
   plane->SetPoint1(disk.X, disk.Y + 1.0, disk.Z);

@@ -16,7 +16,7 @@
 namespace flow
 {
 /**
- * A disk perpendicular to x.
+ * A disk perpendicular to the x-axis.
  */
 struct Disk
 {

@@ -81,7 +81,7 @@ void SetSamples(const Tube& tube, int samples, vtkImplicitFlowField* field)
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
   field->SetSampleBounds(bounds);
   field->SetSampleDimensions(samples, samples, samples);
-  // Cells in which the end time is reached also need results at points that are reached later.
+  // Cells in which the end time is reached also need results at corners that are reached later.
   field->SetMaximumTime(1.3 * tube.Time);
 }
 
@@ -120,12 +120,13 @@ void AddImplicit(
 }
 
 /**
- * Measures the cases of MakeTubes with one thread. Methods and their parameters:
- * - `explicit`: ExplicitFlowVolume; number of rings, with four layers per ring;
- * - `implicit`: DiskVolume, including the flow field; number of samples along each edge of a box
- *   downstream of the disk's plane;
- * - `implicit-again`: the same volume after a change of the inflow mapping;
- * - `implicit-refined`: `implicit` with two levels of refinement.
+ * Measures the cases of MakeTubes with one thread. Methods:
+ * - `explicit`: ExplicitFlowVolume. The parameter is the number of rings; there are four layers
+ *   per ring.
+ * - `implicit`: DiskVolume, including its flow field. The parameter is the number of samples along
+ *   each edge of a box downstream of the disk's plane.
+ * - `implicit-again`: the same volume computed again after modifying the inflow mapping.
+ * - `implicit-refined`: like `implicit`, with two levels of refinement.
  */
 void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -15,7 +15,7 @@ namespace flow
 namespace
 {
 using reference::FlowVector;
-/// Returns the position of a point after a time in the field.
+/// Returns the position of a point after it has moved with the field for the given time.
 using Formula = std::function<FlowVector(const FlowVector&, double)>;
 
 constexpr double Pi = 3.14159265358979323846;

@@ -22,17 +22,18 @@ struct FieldCase
 };
 
 /**
- * Returns fields on images over [-1, 1]^3. Interpolation reproduces linear fields exactly. Formulas
- * are the references of the linear fields `uniform`, `rotation` around an axis outside the image,
- * `saddle`, `spiral`, and `stiff-<ratio>`, a saddle with this ratio of eigenvalues. TrilinearFlow
- * is the reference of `source-sink` (source and sink are outside the image), `sphere` and `abc`.
+ * Returns fields on images over [-1, 1]^3. The linear fields are `uniform`, `rotation` (around an
+ * axis outside the image), `saddle`, `spiral`, and `stiff-<ratio>` (a saddle with this ratio of
+ * eigenvalues). Interpolation reproduces them exactly, so their references are formulas. The
+ * reference of `source-sink` (with source and sink outside the image), `sphere` and `abc` is
+ * TrilinearFlow.
  */
 std::vector<FieldCase> MakeFieldCases(const BenchOptions& options);
 
 /**
  * Returns fields on images over [-1, 1]^3. The seeds are those of MakeFieldCases. The fields are
- * `shear`, whose velocity reverses across a layer with a tenth of the width, `rotation`,
- * `source-sink`, `sphere`, `abc`, `hurricane`, and `stiff-1e2`.
+ * `shear` (whose velocity reverses across a layer of thickness 0.1), `rotation`, `source-sink`,
+ * `sphere`, `abc`, `hurricane`, and `stiff-1e2`.
  */
 std::vector<Case> MakeSharingCases(const BenchOptions& options);
 }

@@ -17,15 +17,16 @@
 #include <vector>
 
 /**
- * The filters vtkImplicitFlowField and vtkStreamTracer as methods of integrating streamlines
- * backward, and the endpoints of their streamlines.
+ * Backward integration of streamlines with vtkImplicitFlowField or vtkStreamTracer, and the
+ * endpoints of these streamlines.
  */
 namespace flow
 {
 inline const char* const Baseline = "streamtracer";
 
-/// Limits of vtkImplicitFlowField for the time, length and number of steps of a streamline. They
-/// are large, so that rows show the cost of explicit methods in stiff fields.
+/// Limits of the integration time and number of steps of vtkImplicitFlowField, and of the length of
+/// streamlines of vtkStreamTracer. They are large, so that rows show the cost of explicit methods
+/// in stiff fields.
 constexpr double MaximumTime = 5.0;
 constexpr double MaximumLength = 12.0;
 constexpr int MaximumSteps = 100000;
@@ -43,12 +44,12 @@ struct MethodResult
 {
   std::vector<End> Ends;
   vtkIdType Steps = 0;
-  /// Sum of all times.
+  /// Sum of the integration times of all streamlines.
   double Time = 0.0;
 };
 
 /**
- * Returns a filter that traces from the seeds to the box and has not been executed. \a tolerance is
+ * Returns a filter, not yet executed, that traces from the seeds to the box. \a tolerance is
  * MaximumError divided by the maximum speed of the field. ReadAdvection() returns the endpoints.
  * Their HasResult is true if the streamline reached the box.
  */
@@ -56,7 +57,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   const Case& what, int integrator, double tolerance);
 MethodResult ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
 
-/// Updates the filter with one thread and returns the wall time.
+/// Updates the filter with one thread and returns the run time.
 BenchSeconds RunOnce(vtkAlgorithm* filter);
 
 /// Settings of vtkStreamTracer.
@@ -73,7 +74,7 @@ struct TracerSettings
 };
 
 /**
- * Returns a filter that traces from the seeds, without vorticity, and has not been executed. A
+ * Returns a filter, not yet executed, that traces from the seeds without computing vorticity. A
  * streamline stops when a step ends outside the box. ReadTracer() returns the last points inside
  * the box as endpoints. \a what must outlive the filter.
  */

@@ -22,8 +22,8 @@ struct Difference
   double Median = 0.0;
   /// Mean absolute difference between the time at an endpoint and the exact time: the error of t.
   double Time = 0.0;
-  /// Fraction of the endpoints whose distance from the exact position after the same time is at
-  /// most the error bound multiplied by that time.
+  /// Fraction of the endpoints whose distance from the exact position after the same integration
+  /// time is at most the error bound multiplied by this time.
   double Within = 0.0;
 };
 

@@ -141,15 +141,15 @@ void AddRow(const Case& what, vtkImageData* samples, double tolerance, BenchRows
 
 /**
  * Measures the fields of MakeSharingCases with about 100,000 samples on an image. In cases with
- * `dense` in the name, the image is a quarter as wide. Method `shared`: processor time of
- * vtkImplicitFlowField with InterpolateStreamlines; the baseline has it off. The parameter is
+ * `dense` in the name, the image is a quarter as wide. The method `shared` is vtkImplicitFlowField
+ * with InterpolateStreamlines on; in the baseline, it is off. Times are CPU times. The parameter is
  * MaximumError divided by the maximum speed.
  *
- * The error of a sample is the larger of the distance between the endpoints and the difference of
- * times multiplied by the maximum speed, divided by MaximumError times the advection time. It is
- * infinite (written as 1e30) if the status or the id differs. `median`, `q99`, `q999` and `largest`
- * are quantiles of the errors of interpolated samples. `within` is the fraction of all samples with
- * an error of at most 10.
+ * The error of a sample is the larger of two lengths: the distance between the endpoints, and the
+ * difference of times multiplied by the maximum speed. It is divided by MaximumError times the
+ * advection time. It is infinite (written as 1e30) if the status or the id differs. `median`,
+ * `q99`, `q999` and `largest` are quantiles of the errors of interpolated samples. `within` is the
+ * fraction of all samples with an error of at most 10.
  */
 void AddSharingRows(const BenchOptions& options, BenchRows& rows)
 {

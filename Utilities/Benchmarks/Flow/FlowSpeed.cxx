@@ -28,7 +28,7 @@ constexpr double DefaultTolerance = 1e-6;
 /// single precision.
 constexpr double TracerRounding = 3e-8;
 
-/// A run of one method: setting, times, endpoints and error.
+/// The parameter, times, endpoints and error of one run.
 struct Trial
 {
   double Parameter = 0.0;
@@ -225,8 +225,8 @@ std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage,
  *   MaximumError divided by the maximum speed for `advection`, the step in cells for `RK4`, and
  *   MaximumError for `RK45`;
  * - `equal-error`: the default settings of `advection`. The baselines `streamtracer-RK4` and
- *   `streamtracer-RK45` use the first of their settings whose error is at most twice as large. Each
- *   setting halves the step or divides MaximumError by ten;
+ *   `streamtracer-RK45` use the first of their settings whose error is at most twice as large. From
+ *   one setting to the next, the step is halved or MaximumError is divided by ten;
  * - `threads-2`: two threads relative to one.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)

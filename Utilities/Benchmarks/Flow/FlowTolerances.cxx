@@ -24,22 +24,22 @@ const std::vector<std::pair<int, const char*>> Integrators = { { vtkImplicitFlow
   { vtkImplicitFlowField::RUNGE_KUTTA_4, "runge-kutta-4" },
   { vtkImplicitFlowField::ROSENBROCK, "rosenbrock" } };
 
-/// One integrator at one tolerance.
+/// vtkImplicitFlowField with one integrator and one tolerance.
 struct OwnTrial
 {
   vtkSmartPointer<vtkImplicitFlowField> Filter;
   BenchRow Row;
 };
 
-/// vtkStreamTracer at one of its settings.
+/// vtkStreamTracer with one integrator and one step or tolerance.
 struct BaselineTrial
 {
   TracerSettings Settings;
   BenchRow Row;
 };
 
-/// Measures median times of all trials and baselines, run alternately after one untimed run each. A
-/// stiff case takes seconds, so it is run once and has no baseline.
+/// Measures median times of all trials and baselines, run alternately after one untimed run each.
+/// Stiff cases take seconds, so each trial is run only once, and there are no baselines.
 void Measure(const FieldCase& field, const BenchOptions& options, std::vector<OwnTrial>& trials,
   std::vector<BaselineTrial>& baselines)
 {
@@ -68,8 +68,8 @@ void Measure(const FieldCase& field, const BenchOptions& options, std::vector<Ow
   }
 }
 
-/// Sets the errors of a row. \a error is the error bound of Difference::Within; if it is 0, the
-/// count `within` is omitted.
+/// Sets the error of \a row, and the counts `answers`, `time_error` and `within`. \a error is the
+/// error bound for Difference::Within; if it is 0, the count `within` is omitted.
 void SetErrors(const FieldCase& field, const BenchOptions& options, const MethodResult& result,
   double error, BenchRow& row)
 {
@@ -170,8 +170,8 @@ void AddBaselineRows(const FieldCase& field, const BenchOptions& options,
 /**
  * Measures the cases of MakeFieldCases with one thread. Methods: each integrator of
  * vtkImplicitFlowField, with the tolerance as the parameter: MaximumError divided by the maximum
- * speed, or MaximumError itself in stiff fields. Fields that are not stiff also have the baselines
- * `RK4` (step in cells) and `RK45` (MaximumError).
+ * speed, or MaximumError itself in stiff fields. Fields that are not stiff also have rows for
+ * vtkStreamTracer: `RK4` (parameter: step in cell lengths) and `RK45` (parameter: MaximumError).
  */
 void AddToleranceRows(const BenchOptions& options, BenchRows& rows)
 {

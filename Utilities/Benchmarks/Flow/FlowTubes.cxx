@@ -45,7 +45,7 @@ Tube MakeContraction(int points)
   tube.Inflow = { 0.1, 0.05, 0.1, 0.6 };
   tube.Time = 2.0;
   const double first = tube.Inflow.X;
-  // x r^2 is constant along a streamline.
+  // x r^2 is constant along a streamline, where r is the distance from the x axis.
   tube.Origin = [first](const double x[3])
   {
     const double factor = std::sqrt(std::max(0.0, x[0] / first));
@@ -56,7 +56,8 @@ Tube MakeContraction(int points)
   return tube;
 }
 
-/// Stokes' stream function divided by r^2 / 2, as a function of the distance from the center.
+/// Returns Stokes' stream function divided by r^2 / 2, where r is the distance from the x axis.
+/// \a distance is the distance from the center of the sphere.
 double GetStreamFactor(double distance)
 {
   return 1.0 - 1.0 / (distance * distance * distance);
@@ -67,8 +68,7 @@ Tube MakeRoundSphere(const std::string& name, const Disk& inflow, double time, i
   const reference::FlowFunction velocity = [flow = reference::Flow::RoundSphere()](
                                              const FlowVector& x)
   {
-    // Continue the formula a little into the sphere, so that the field has no jump in cells at its
-    // surface.
+    // Extend the formula into the sphere, so that the field is continuous at the sphere's surface.
     constexpr double core = 0.6;
     const double factor = std::max(1.0, core / std::max(1e-12, std::hypot(x[0], x[1], x[2])));
     const double position[3] = { factor * x[0], factor * x[1], factor * x[2] };

@@ -18,8 +18,8 @@
 namespace flow
 {
 /**
- * The stream volume of a divergence-free field that starts at a disk perpendicular to x and is
- * advected for a given time.
+ * The stream volume that starts at a disk perpendicular to x and is advected for a given time in a
+ * divergence-free field.
  */
 struct Tube
 {
@@ -29,9 +29,9 @@ struct Tube
   double Time = 0.0;
   /// Volume, which is the flux through the disk multiplied by the time.
   double Volume = 0.0;
-  /// Returns (y,z) of the point where the streamline through x starts in the plane of the disk.
+  /// Returns the (y,z) coordinates at which the streamline through x starts in the disk's plane.
   std::function<std::array<double, 2>(const double x[3])> Origin;
-  /// Returns true if no streamline from the plane of the disk reaches x.
+  /// Returns true if no streamline from the disk's plane reaches x.
   std::function<bool(const double x[3])> IsShadow;
 
   /// Returns the distance from the disk's edge to the start of the streamline through x. It is
@@ -40,9 +40,10 @@ struct Tube
 };
 
 /**
- * Returns tubes on images with \a points points along each axis: `contraction`, in the field (x,
- * -y/2, -z/2), which interpolation reproduces exactly; `beside` and `around`, in potential flow of
- * speed 1 around a sphere of radius 1, where the tube passes next to the sphere or surrounds it.
+ * Returns tubes in fields sampled at \a points points along each axis: `contraction`, in the field
+ * (x, -y/2, -z/2), which linear interpolation reproduces exactly; `beside` and `around`, in
+ * potential flow of speed 1 around a sphere of radius 1, where the tube passes next to the sphere
+ * or surrounds it.
  */
 std::vector<Tube> MakeTubes(int points);
 }

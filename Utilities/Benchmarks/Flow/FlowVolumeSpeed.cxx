@@ -23,7 +23,7 @@ namespace
 {
 const char* const NewMapping = "new-mapping";
 
-/// A sampled flow field, an inflow mapping, and two stream volumes.
+/// An implicit flow field, an inflow mapping, and two stream volumes.
 class Volumes
 {
 public:
@@ -106,7 +106,7 @@ BenchSeconds AddSamples(
   return seconds;
 }
 
-/// A change of a setting, and the stream volume that depends on it.
+/// A function that changes a setting, and the stream volume to update afterward.
 struct Change
 {
   std::string Method;
@@ -148,9 +148,9 @@ void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& a
  * Measures stream volumes of the field HURRICANE, advected backward to the faces of the domain for
  * at most 10 units of time. The samples have twice the resolution of the field. Methods:
  * - `samples`: the advection of the samples with all threads, run once;
- * - `new-mapping`, `new-interval`, `new-times`: a new stream volume after a change of only the
- *   inflow mapping, the interval, or the time range. The baseline `advection` is the time of
- *   `samples`. The count `advections` is the number of advections that the change caused.
+ * - `new-mapping`, `new-interval`, `new-times`: the update of a stream volume after changing only
+ *   the inflow mapping, the interval, or the time range. The baseline `advection` is the time of
+ *   `samples`. The count `advections` is the number of advections that the changes caused.
  */
 void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
-/// A cell: its indices, and the velocities of its corners in cells per unit of time, x fastest.
+/// The indices of a cell, and the velocities at its corners in cells per unit of time, x fastest.
 struct TrilinearFlow::Cell
 {
   std::array<int, 3> At{};
   std::array<Vector, 8> Corners{};
 
-  /// Evaluates the trilinear polynomial of the cell, also outside of it.
+  /// Evaluates the trilinear polynomial of the cell. \a p may be outside the cell.
   Vector GetRate(const Vector& p) const
   {
     const double x = p[0] - this->At[0];
@@ -46,8 +46,8 @@ struct TrilinearFlow::Cell
 
 namespace
 {
-/// The face through which a step from \a p to \a q first leaves the unit cell \a at. Axis is -1 if
-/// the step ends inside the cell.
+/// The face through which a step first leaves its cell, and the fraction of the step before that.
+/// Axis is -1 if the step ends inside the cell.
 struct Exit
 {
   int Axis = -1;

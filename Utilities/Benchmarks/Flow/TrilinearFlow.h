@@ -9,8 +9,8 @@
 
 /**
  * Streamlines of the trilinearly interpolated vectors of an image, with an accuracy of about 1e-12.
- * Uses Boost's Runge-Kutta-Fehlberg 7(8) in steps of a twentieth of a cell. Steps end at cell
- * faces, so the field is smooth within each step.
+ * Uses Boost's Runge-Kutta-Fehlberg 7(8) with steps of at most a twentieth of a cell. Steps end at
+ * cell faces, so the field is smooth within each step.
  */
 class TrilinearFlow
 {
@@ -19,18 +19,18 @@ public:
 
   /// Returns the interpolated velocity, or 0 outside the image.
   void GetVelocity(const double x[3], double v[3]) const;
-  /// Moves \a x along the field for a positive or negative time, but not out of the image.
+  /// Moves \a x along its streamline for a positive or negative time, but not out of the image.
   void Follow(double x[3], double time) const;
 
 private:
   using Vector = std::array<double, 3>;
   struct Cell;
 
-  /// Converts between world coordinates and continuous point indices.
+  /// Convert between world coordinates and continuous point indices.
   Vector ToIndices(const double x[3]) const;
   void ToWorld(const Vector& p, double x[3]) const;
-  /// Load() sets the velocities of the cell with the indices of \a cell; Locate() first finds the
-  /// cell that contains \a p. Both return false if the image has no such cell.
+  /// Load() sets the velocities of \a cell from its indices; Locate() first sets the indices to
+  /// those of the cell that contains \a p. Both return false if the image has no such cell.
   bool Load(Cell& cell) const;
   bool Locate(const Vector& p, Cell& cell) const;
 

@@ -8,7 +8,7 @@
 class vtkDataSet;
 
 /**
- * VTK's velocity interpolation for vtkStreamTracer, with a choice of the method that searches for
+ * VTK's velocity interpolators for vtkStreamTracer, with a choice of the method that searches for
  * the next cell.
  *
  * VTK 9.1 has a class for each method, vtkInterpolatedVelocityField and
@@ -19,17 +19,17 @@ namespace flow
 {
 enum class CellSearch
 {
-  /// Finds the closest point and walks from the cells around it. The default of all VTK versions.
+  /// Finds the closest point and walks from its adjacent cells. The default of all VTK versions.
   CLOSEST_POINT,
   /// vtkStaticCellLocator.
   STATIC_CELL_LOCATOR
 };
 
-/// Returns a prototype without a dataset, for vtkStreamTracer.
+/// Returns a prototype interpolator without a dataset, for vtkStreamTracer.
 vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(CellSearch search);
 
-/// Returns an interpolation of the point vectors of \a field, which must outlive it. Not
-/// thread-safe.
+/// Returns an interpolator of the point vectors of \a field, which must outlive it. The
+/// interpolator is not thread-safe.
 vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(
   CellSearch search, vtkDataSet* field);
 }

@@ -23,8 +23,8 @@ using Mapper = vtkImplicitFlowVolumeMapper;
 /// Number of view rays along each edge of a pixel in the reference image.
 constexpr int Finer = 3;
 
-/// Returns the end of the streamline through x in a curved flow along the x axis. u and v are the
-/// coordinates at which the streamline starts.
+/// Returns the inflow coordinates (u,v) and the advection time of the streamline through x, in a
+/// curved flow along the x axis.
 reference::FlowEnd Bent(const reference::Position3& x)
 {
   const double a = x[0] + 0.5;
@@ -32,7 +32,7 @@ reference::FlowEnd Bent(const reference::Position3& x)
     0.5 + 0.8 * x[2] + 0.08 * std::cos(4.0 * a + 2.0 * x[1]), a };
 }
 
-/// Returns the color of stripes and spots that a texture of 257 x 257 texels resolves.
+/// Returns the color of a pattern of stripes and spots that 257 x 257 texels resolve.
 reference::Color4 Paint(double u, double v)
 {
   const double stripes = 0.5 + 0.5 * std::sin(60.0 * u);
@@ -40,7 +40,7 @@ reference::Color4 Paint(double u, double v)
   return { { stripes, spots, 1.0 - stripes, 0.5 * spots * spots } };
 }
 
-/// Returns a smaller image. Each pixel is the mean of Finer x Finer pixels.
+/// Returns an image of lower resolution. Each pixel is the mean of Finer x Finer pixels.
 reference::RgbaImage MakeCoarser(const reference::RgbaImage& fine)
 {
   reference::RgbaImage image(fine.Width / Finer, fine.Height / Finer);

@@ -6,8 +6,8 @@
 
 namespace approximations
 {
-/// vtkImplicitFlowVolumeMapper with several resolutions of the flow field, with TextureFilter on
-/// and off.
+/// Returns the family that measures vtkImplicitFlowVolumeMapper with several resolutions of the
+/// flow field, and with TextureFilter on and off.
 Family MakeFlowVoxelFamily();
 }
 

@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> MakePaint()
   return image;
 }
 
-/// Returns an implicit flow field with n^3 samples in the cube from -0.8 to 0.8.
+/// Returns an implicit flow field with n^3 samples in the cube [-0.8, 0.8]^3.
 vtkSmartPointer<vtkImageData> MakeFlow(const std::string& name, int n)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkImageData> MakeFlow(const std::string& name, int n)
   return vtkImageData::SafeDownCast(flow->GetOutputDataObject(0));
 }
 
-/// Returns u, v, time and status as four floating-point components from 0 to 1.
+/// Returns an image with u, v, time and status as four float components in [0, 1].
 vtkSmartPointer<vtkImageData> MakeFourComponents(vtkImageData* flow)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -225,7 +225,7 @@ void AddRows(
   }
 }
 
-/// Measures the cost of shadows, and the cost of a moving light.
+/// Measures the cost of shadows, with a fixed light and with a moving light.
 void AddShadowRows(int n, int pixels, const BenchOptions& options, BenchRows& rows)
 {
   const vtkSmartPointer<vtkImageData> flow = MakeFlow("rotation", n);

@@ -10,7 +10,7 @@ namespace growth
 {
 namespace
 {
-/// A cost whose exponent is fitted, and the method name of its rows.
+/// A cost whose exponent is fitted, and the method of the rows with this exponent.
 struct Measure
 {
   const char* Method;
@@ -39,7 +39,7 @@ struct Points
   std::vector<double> Cost;
 };
 
-/// Returns the sizes and costs of a quantity.
+/// Returns N and the cost in each row of the quantity \a name.
 Points GetPoints(const std::string& name, const Measure& measure, const std::vector<BenchRow>& rows)
 {
   Points points;

@@ -22,7 +22,7 @@ namespace growth
 {
 namespace
 {
-/// Extracts from a wavelet, whose waves are the same at every resolution.
+/// Returns a job that applies \a method to a wavelet. The waves are the same at every resolution.
 Job MakeWaveletJob(
   int points, const std::function<vtkSmartPointer<vtkObjectBase>(const BenchData&)>& method)
 {
@@ -42,8 +42,8 @@ std::vector<int> GetPoints(const BenchOptions& options)
 constexpr double Lower = 0.0;
 constexpr double Upper = 0.3;
 
-/// Returns a moving gyroid with one time step per unit of time. By symmetry all slabs require the
-/// same work.
+/// Returns a moving gyroid with one time step per unit of time. By symmetry, all time slabs require
+/// the same work.
 vtkSmartPointer<vtkAnalyticFieldSource> MakeGyroid(int points, int slabs)
 {
   auto source = vtkSmartPointer<vtkAnalyticFieldSource>::New();

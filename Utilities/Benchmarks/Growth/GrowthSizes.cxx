@@ -41,8 +41,8 @@ void AddRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-/// Measures one size in this process, which was started for this purpose. Memory is measured in the
-/// second execution, after code and tables have been loaded.
+/// Measures costs at one size in this process, which was started for this purpose. Memory is
+/// measured in the second execution, after the first has loaded code and tables.
 nlohmann::ordered_json Measure(const Quantity& quantity, int size, const BenchOptions& options)
 {
   const Job job = quantity.Make(size, options);
@@ -61,7 +61,7 @@ nlohmann::ordered_json Measure(const Quantity& quantity, int size, const BenchOp
   return found;
 }
 
-/// Measures one size. \a argument is the size and the name of a quantity.
+/// Measures costs at one size. \a argument is `<size> <name of the quantity>`.
 nlohmann::ordered_json MeasureSize(const std::string& argument, const BenchOptions& options)
 {
   const std::size_t space = argument.find(' ');

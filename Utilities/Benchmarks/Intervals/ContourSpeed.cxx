@@ -18,14 +18,14 @@ const char* const OnImage = "isotable-image";
 const char* const OnHexahedra = "isotable-hexahedra";
 const char* const OnHexahedraUnmerged = "isotable-hexahedra-unmerged";
 
-/// Returns the number of triangles of a result.
+/// Returns the number of triangles that \a work creates.
 vtkIdType TrianglesOf(const BenchWork& work)
 {
   return vtkDataSet::SafeDownCast(work())->GetNumberOfCells();
 }
 
-/// Adds rows of \a works with the given number of threads. The first of \a works is Interlume's,
-/// the others are baselines.
+/// Adds a row for each baseline, measured with the given number of threads. The first of \a works
+/// uses Interlume, the others are the baselines.
 void AddRows(const BenchRow& common, int threads, const std::vector<std::string>& baselines,
   std::vector<BenchWork> works, const BenchOptions& options, BenchRows& rows)
 {
@@ -33,7 +33,7 @@ void AddRows(const BenchRow& common, int threads, const std::vector<std::string>
   {
     work = WithThreads(threads, work);
   }
-  // Runs are short, so three times as many give a stable median.
+  // Runs are short, so repeat them three times as often for a stable median.
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, 3 * options.GetRepeats());
   for (std::size_t i = 0; i < baselines.size(); ++i)
   {
@@ -53,8 +53,8 @@ BenchRow MakeRow(const BenchData& data, const char* method, BenchRows& rows)
   return row;
 }
 
-/// vtkContour3DLinearGrid accepts only float and double, so both filters get the same converted
-/// data.
+/// Returns \a data as hexahedra with float or double scalars, the only types that
+/// vtkContour3DLinearGrid accepts. Other scalars are converted to float.
 vtkSmartPointer<vtkUnstructuredGrid> ToHexahedraOfFloats(vtkDataSet* data)
 {
   auto grid = ToHexahedra(data);
@@ -116,7 +116,8 @@ void AddContourRows(const BenchOptions& options, BenchRows& rows)
 std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;
-  // Two methods have the same baseline, so their plots need different names.
+  // Plots are named after the baseline, and two methods have the same baseline. Their plots thus
+  // need different prefixes.
   for (const auto& [name, method] :
     { std::make_pair("contour", OnHexahedra), std::make_pair("contour", OnImage),
       std::make_pair("contour-unmerged", OnHexahedraUnmerged) })

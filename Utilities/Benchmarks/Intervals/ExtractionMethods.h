@@ -11,13 +11,14 @@ class vtkImageData;
 class vtkIntervalVolume;
 
 /**
- * Extraction methods that the suites compare. Each creates a new filter, so that no memory is
- * reused between runs. All use the active point scalars and the threads set in vtkSMPTools.
+ * Extraction methods that the suites compare. Each call creates a new filter, so that no memory is
+ * reused between runs. All methods use the active point scalars and the number of threads set in
+ * vtkSMPTools.
  */
 namespace methods
 {
 /**
- * Returns vtkIntervalVolume with one interval, not yet executed.
+ * Returns a vtkIntervalVolume with one interval. The caller must update it.
  */
 vtkSmartPointer<vtkIntervalVolume> NewIntervalVolume(vtkDataSet* data, double lower, double upper);
 
@@ -27,14 +28,14 @@ vtkSmartPointer<vtkIntervalVolume> NewIntervalVolume(vtkDataSet* data, double lo
 vtkSmartPointer<vtkUnstructuredGrid> IntervalVolume(vtkDataSet* data, double lower, double upper);
 
 /**
- * Clips with vtkTableBasedClipDataSet at \a lower, then at \a upper. The cells of the result have
+ * Clips with vtkTableBasedClipDataSet at \a lower, then at \a upper. The result has cells of
  * several types. \a precision is the precision of the output points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> ClipTwice(
   vtkDataSet* data, double lower, double upper, int precision);
 
 /**
- * Returns the three-dimensional cells of \a grid as tetrahedra, by vtkDataSetTriangleFilter.
+ * Splits the three-dimensional cells of \a grid into tetrahedra with vtkDataSetTriangleFilter.
  */
 vtkSmartPointer<vtkUnstructuredGrid> ToTetrahedra(vtkUnstructuredGrid* grid);
 

@@ -38,8 +38,8 @@ struct DragCase
   vtkSmartPointer<vtkImageData> Image;
 };
 
-/// Returns CT data with 256^3 points: the original bonsai, and the head resampled by linear
-/// interpolation. Smaller sizes use the wavelet.
+/// Returns CT scans with 256^3 points: a bonsai, and a head resampled by linear interpolation. If
+/// \a options do not request full size, returns the wavelet instead.
 std::vector<DragCase> MakeCases(const BenchOptions& options)
 {
   if (options.Size != BenchOptions::FULL)
@@ -65,7 +65,7 @@ std::vector<DragCase> MakeCases(const BenchOptions& options)
   return cases;
 }
 
-/// Returns the number of cells whose range of values intersects [first, second].
+/// Returns the number of cells whose scalar range intersects [first, second].
 vtkIdType CountCells(vtkImageData* image, double first, double second)
 {
   int dimensions[3];
@@ -73,7 +73,7 @@ vtkIdType CountCells(vtkImageData* image, double first, double second)
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const vtkIdType row = dimensions[0];
   const vtkIdType layer = row * dimensions[1];
-  // -1 for values below the range, 1 above, 0 inside.
+  // -1 for values below first, 1 for values above second, 0 otherwise.
   std::vector<signed char> sides(scalars->GetNumberOfTuples());
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
@@ -167,13 +167,13 @@ void AddDragRow(const DragCase& one, const BoundPosition& position, bool isTied,
 }
 
 /**
- * Measures updates after small changes of a bound. Methods: `drag`, and `drag-tied` with bounds
- * that equal scalars of the data. The upper bound is the maximum of the scalars. The lower bound
- * moves by 1/200 of the scalar range between updates, in the low, middle or high part of the range.
- * ReuseMemory is on; the baseline `new-memory` has it off. Rows use one thread and all threads. The
- * count `changed` is the number of cells whose values the bound passes between two updates, and
- * `share` is their fraction of all cells. Other counts are the size of the output and the reused
- * and idle memory.
+ * Measures updates after small changes of a bound, with one thread and with all threads. The lower
+ * bound moves by 1/200 of the scalar range between updates, in the low, middle or high part of the
+ * range. Methods: `drag`, with bounds between the scalars, and `drag-tied`, with bounds that equal
+ * scalars. ReuseMemory is on; the baseline `new-memory` has it off. The count `changed` is the
+ * number of cells whose scalar range intersects the interval that the bound passes between two
+ * updates, and `share` is their fraction of all cells. Other counts are the size of the output and
+ * the reused and idle memory.
  */
 void AddDragRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -29,7 +29,7 @@ const char* const VolumeNorm = "volume, relative";
 const char* const SurfaceNorm = "surface distance, rms, share of the domain's edge";
 const char* const SampledNorm = "volume, relative, with sampling";
 
-/// A method of extracting the interval volume, and its input grid. IsClip marks the baseline
+/// A method that extracts interval volumes, and its input grid. IsClip is true for the baseline
 /// `clip2`.
 struct Method
 {
@@ -60,7 +60,7 @@ std::vector<Method> MakeMethods(vtkImageData* image)
   return methods;
 }
 
-/// The tetrahedra of a result, and triangles that include all of its boundary.
+/// The tetrahedra of an interval volume, and triangles that include its surfaces at both bounds.
 struct Result
 {
   vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra;
@@ -91,8 +91,8 @@ Result Extract(const Method& method, double lower, double upper)
   return result;
 }
 
-/// Returns the root mean square distance from the exact surface to the part of the boundary that is
-/// not on the faces of the box.
+/// Returns the root mean square distance from the exact surface to the triangles of \a boundary
+/// that are not on the faces of the domain.
 double SurfaceDistance(
   vtkPointSet* boundary, const TrilinearRegion& region, double lower, double upper)
 {
@@ -205,9 +205,9 @@ BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std:
 
 /**
  * Measures errors in the analytic cases. Methods: `hexahedra` (the image data),
- * `hexahedra-unstructured`, `tetrahedra-5` and `tetrahedra-6` (cells split beforehand in
- * `split_seconds`), and `clip2`. The parameter is the number of points along an axis. There is one
- * row for each norm:
+ * `hexahedra-unstructured`, `tetrahedra-5` and `tetrahedra-6` (each cell is split beforehand into
+ * 5 or 6 tetrahedra, which takes `split_seconds`), and the baseline `clip2`. The parameter is
+ * the number of points along an axis. There is one row for each norm:
  * - `volume, relative`: error relative to the volume of the exact trilinear region;
  * - `surface distance, rms, share of the domain's edge`: distance of the result's boundary inside
  *   the domain from the exact trilinear surface;

@@ -28,11 +28,11 @@ void UseOnce()
 }
 
 /**
- * Measures the memory of one extraction of the case in KiB:
- * - `input_kib` and `output_kib`: sizes of the data;
+ * Measures the memory of one extraction from the data of \a theCase, in KiB:
+ * - `input_kib` and `output_kib`: sizes of the input and output;
  * - `working_kib`: as reported by the filter;
  * - `peak_kib`: the input plus the largest growth of the resident memory of this process;
- * - `first_use_kib`: the memory of tables and code, loaded before the extraction.
+ * - `first_use_kib`: the memory of tables and code, which are loaded before the extraction.
  *
  * `peak_kib` and `first_use_kib` are absent if the system does not report resident memory.
  */
@@ -66,7 +66,7 @@ nlohmann::ordered_json MeasureMemory(
   return json;
 }
 
-/// Adds rows for all cases, with structured data and with unstructured hexahedra as input.
+/// Adds rows for all cases. Structured data are measured as they are and as unstructured hexahedra.
 void AddMemoryRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))

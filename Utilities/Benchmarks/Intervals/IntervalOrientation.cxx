@@ -27,8 +27,9 @@ void AddOrientationRow(const BenchData& data, BenchRows& rows)
 }
 
 /**
- * Counts inverted tetrahedra for cells of each shape with random values and for the data files. The
- * method is `inverted`, and the error is the fraction of the volume that is in inverted tetrahedra.
+ * Counts inverted tetrahedra in interval volumes of cells of each type with random scalars, and of
+ * the cases of MakeSpeedCases(). The method is `inverted`, and the error is the fraction of the
+ * volume that is in inverted tetrahedra.
  */
 void AddOrientationRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -41,8 +41,7 @@ struct Square
   double X, Y, Size;
 };
 
-/// A cell, treated as lines along z. The function is bilinear on the bottom and top faces, and
-/// linear along each line.
+/// The trilinear function of a cell: bilinear on the bottom and top faces, and linear along z.
 class CellColumns
 {
 public:
@@ -52,7 +51,8 @@ public:
   {
   }
 
-  /// Returns the volume below \a bound over \a square.
+  /// Returns the volume of the part of the column over \a square where the function is at most
+  /// \a bound.
   double VolumeBelow(double bound, const Square& square, int depth) const
   {
     if (depth > 0 &&
@@ -71,8 +71,8 @@ public:
   }
 
 private:
-  /// Returns whether the contour of \a face may intersect \a square. On an axis-aligned square a
-  /// bilinear function is bounded by its values at the corners.
+  /// Returns whether the contour of \a face at \a bound may intersect \a square. On an axis-aligned
+  /// square, the values of a bilinear function are bounded by those at the corners.
   static bool IsCrossed(const Bilinear& face, double bound, const Square& square)
   {
     const double x = square.X + square.Size;

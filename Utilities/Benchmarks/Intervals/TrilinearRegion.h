@@ -12,8 +12,8 @@
  * @class   TrilinearRegion
  * @brief   the exact region { lower <= g <= upper } of the trilinear interpolant g of an image
  *
- * A reference that shares no code with the filters. It is computed in double precision from the
- * values at the eight corners of each cell.
+ * A reference for tests of accuracy, which shares no code with the filters. It is computed in
+ * double precision from the values at the eight corners of each cell.
  */
 class TrilinearRegion
 {
@@ -21,10 +21,10 @@ public:
   explicit TrilinearRegion(vtkImageData* image);
 
   /**
-   * Returns the volume of { lower <= g <= upper }. Along z the interpolant is linear, so the length
-   * inside the region has a closed form. A Gauss rule of 3 x 3 points integrates this length over x
-   * and y. The length has kinks where an isosurface crosses the bottom or top face of the cell;
-   * squares that may contain one are subdivided up to \a depth times.
+   * Returns the volume of { lower <= g <= upper }. In each cell, g is linear along z, so a line
+   * along z has a closed-form length inside the region. A Gauss rule with 3 x 3 points integrates
+   * this length over x and y. The length has kinks where an isosurface crosses the bottom or top
+   * face of the cell; squares that may contain a kink are subdivided up to \a depth times.
    */
   double GetVolume(double lower, double upper, int depth = 4) const;
 

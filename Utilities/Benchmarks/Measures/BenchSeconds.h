@@ -6,7 +6,7 @@
 #include <vector>
 
 /**
- * A median time and the number of runs.
+ * The median time of several runs.
  */
 struct BenchSeconds
 {
@@ -14,7 +14,7 @@ struct BenchSeconds
   int Runs = 0;
   /// Start and end of each run in seconds of std::chrono::steady_clock.
   std::vector<std::array<double, 2>> Spans = {};
-  /// Median processor time of all threads, which other programs do not affect.
+  /// Median processor time, summed over all threads. Other programs do not affect it.
   double Processor = 0.0;
 
   /// Returns a copy whose Value is the processor time.

@@ -50,9 +50,9 @@ BenchWork WithThreads(int threads, const BenchWork& work)
 {
   return [threads, work]()
   {
-    // With TBB, VTK 9.6 can only lower the number of threads, unless Initialize() is first called
-    // for all processors. VTK up to 9.5 ignores a call with the number of the previous call, so
-    // another number is set in between.
+    // With TBB, VTK 9.6 can raise the number of threads only after Initialize() is called without
+    // an argument. VTK up to 9.5 ignores a call with the same number as in the previous call, so
+    // the number of processors is set in between.
     vtkSMPTools::Initialize();
     vtkSMPTools::Initialize(static_cast<int>(std::thread::hardware_concurrency()));
     vtkSMPTools::Initialize(threads);

@@ -27,9 +27,8 @@ double GetSteadySeconds();
 BenchSeconds TimeOnce(const BenchWork& work);
 
 /**
- * Returns the median times of all \a works. Each work is run once untimed; then all run
- * alternately, A B C A B C ..., \a repeats times. Other activity on the machine thus affects all
- * works equally.
+ * Returns the median time of each of \a works. All are run once untimed, and then alternately, A B
+ * C A B C ..., \a repeats times. Other activity on the machine thus affects all of them equally.
  */
 std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats);
 
@@ -40,13 +39,12 @@ std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works
 BenchWork WithThreads(int threads, const BenchWork& work);
 
 /**
- * Returns work that executes \a filter again with unchanged inputs and the current number of
- * threads.
+ * Returns work that executes \a filter again with unchanged inputs.
  */
 BenchWork Again(const vtkSmartPointer<vtkAlgorithm>& filter);
 
 /**
- * Returns the parameter of a row: `1 thread`, `2 threads`, ...
+ * Returns a row's parameter for the number of threads: `1 thread`, `2 threads`, ...
  */
 std::string ThreadsParameter(int threads);
 
@@ -56,12 +54,12 @@ std::string ThreadsParameter(int threads);
 double Median(std::vector<double> numbers);
 
 /**
- * Returns the median of the times of runs, in seconds.
+ * Returns the median of the wall times \a runs, in seconds.
  */
 BenchSeconds MedianOf(const std::vector<double>& runs);
 
 /**
- * Returns the medians of single runs, with the spans of all runs.
+ * Returns the medians of the wall and processor times of \a runs, with the spans of all runs.
  */
 BenchSeconds MedianOf(const std::vector<BenchSeconds>& runs);
 

@@ -5,8 +5,9 @@
 #include <cmath>
 
 /**
- * Returns the distance of \a point from the level set of a function at \a value, measured along the
- * gradient. Newton steps continue until the remaining distance is below 1e-14 times \a length.
+ * Returns the distance of \a point from the level set where a function equals \a value, measured
+ * along the gradient. Newton's method stops when the remaining distance is below 1e-14 times
+ * \a length, or after 10 steps.
  *
  * \a evaluate(at, gradient) returns the value of the function and sets its gradient.
  */

@@ -5,7 +5,7 @@
 #include <vector>
 
 /**
- * Returns the exponent p of y = c x^p, fitted to positive numbers by least squares of the
+ * Returns the exponent p of y = c x^p, fitted to positive numbers by linear regression of the
  * logarithms.
  */
 double FitExponent(const std::vector<double>& x, const std::vector<double>& y);

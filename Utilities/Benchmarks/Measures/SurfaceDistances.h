@@ -5,18 +5,18 @@
 #include <functional>
 
 /**
- * Distances of a triangulated surface from another surface, integrated over its area.
+ * Distances of a triangulated surface from another surface, integrated over the triangles.
  */
 struct SurfaceDistances
 {
   double Area = 0.0;
-  /// Integral of the distance: to first order, the volume between the two surfaces.
+  /// Integral of the distance. To first order, it is the volume between the two surfaces.
   double Integral = 0.0;
   /// Integral of the squared distance.
   double SquareIntegral = 0.0;
 
-  /// Adds the integrals over a triangle, by a three-point rule of degree 2. \a distance returns the
-  /// distance of a point from the other surface.
+  /// Adds the integrals over a triangle, with a three-point rule that is exact for quadratic
+  /// polynomials. \a distance returns the distance of a point from the other surface.
   void AddTriangle(
     const double x[3][3], const std::function<double(const double point[3])>& distance);
 

@@ -7,15 +7,15 @@
 class vtkUnstructuredGrid;
 
 /**
- * Sums of the volumes of tetrahedra. A tetrahedron is inverted if its signed volume is below -1e-12
- * times the cube of its longest edge. Flatter tetrahedra have no reliable orientation.
+ * Numbers and volumes of tetrahedra. A tetrahedron counts as inverted if its signed volume is below
+ * -1e-12 times the cube of its longest edge. The sign of smaller volumes depends on rounding.
  */
 struct TetrahedronSums
 {
   vtkIdType Tetrahedra = 0;
   vtkIdType Inverted = 0;
-  /// Sum of signed volumes, so that an inverted tetrahedron cancels the volume that its neighbors
-  /// cover twice.
+  /// Sum of the signed volumes. An inverted tetrahedron subtracts the volume in which its neighbors
+  /// overlap.
   double Volume = 0.0;
   /// Sum of the absolute volumes of inverted tetrahedra.
   double InvertedVolume = 0.0;

@@ -38,7 +38,7 @@ double Evaluate(const double x[3])
 }
 constexpr double Range = 2.0;
 
-/// Returns a unit sphere of nearly equal triangles, with the field's values at its points.
+/// Returns a unit sphere of nearly equal triangles, with the values of Evaluate() at its points.
 vtkSmartPointer<vtkPolyData> MakeSphere(int subdivisions)
 {
   vtkNew<vtkPlatonicSolidSource> solid;
@@ -66,8 +66,8 @@ vtkSmartPointer<vtkPolyData> MakeSphere(int subdivisions)
   return sphere;
 }
 
-/// Returns the root mean square difference between the interpolated values and the field,
-/// integrated over all tetrahedra by a four-point rule.
+/// Returns the root mean square difference between the interpolated values and Evaluate(), divided
+/// by Range. Integrates over all tetrahedra with a four-point rule.
 double MeasureInterpolation(vtkUnstructuredGrid* mesh)
 {
   constexpr double near = 0.58541019662496852;
@@ -112,8 +112,8 @@ void AddMesher(vtkPolyData* sphere, const std::string& method, double quality, d
   const std::string& setting, Maker maker, Trials& trials)
 {
   auto mesher = vtkSmartPointer<vtkTetrahedralMesher>::New();
-  // TetGen 1.6 does not reach every quality bound. Warnings about this are ignored, since the row
-  // shows the error.
+  // TetGen 1.6 cannot satisfy every quality bound. Ignore warnings about this, since the row
+  // contains the resulting error.
   vtkNew<vtkCallbackCommand> ignore;
   mesher->AddObserver(vtkCommand::WarningEvent, ignore);
   mesher->SetInputData(sphere);

@@ -67,7 +67,8 @@ SceneSurface MakeFloor(double height, double half)
   return MakeSurface(plane);
 }
 
-/// Adds spheres on two circles around the center of \a bounds, and a plane below the spheres.
+/// Adds spheres on two circles around the center of \a bounds, and a plane below the spheres. The
+/// spheres have about \a triangles triangles in total.
 void AddSpheres(MixedScene& scene, const double bounds[6], int triangles)
 {
   constexpr int count = 16;

@@ -17,12 +17,12 @@ struct Case
 {
   std::string Name;
   reference::MixedScene Scene;
-  /// Initial position of the first light, to restore it after frames that move the lights.
+  /// Initial position of the first light, to restore it after the lights have moved.
   reference::Double3 LightPosition{};
 };
 
-/// Returns a box, a sphere and nine posts on the plane z = -0.6 under a spotlight, seen from above.
-/// The sphere has about \a triangles triangles.
+/// Returns a plane at z = -0.6 with nine posts on it and a box and a sphere above it, lit by a
+/// spotlight and seen from above. The sphere has about \a triangles triangles.
 Case MakePosts(int pixels, int triangles);
 
 /// Returns a volume surrounded by spheres that have about \a triangles triangles in total.

@@ -59,12 +59,15 @@ void AddRows(const Case& what, const BenchOptions& options, BenchRows& rows)
 }
 
 /**
- * Measures frames of a volume and actors with a million triangles (the parameter), rendered by
- * vtkShadowedScenePass. The baseline is the time to render only the volume, plus twice the time in
- * which VTK renders the actors: once for a shadow map and once for the frame. `scene-pass`: the
- * camera moves and shadow maps are reused. `scene-pass, light moves`: shadow maps are rendered for
- * each frame. over_budget is the time divided by the baseline's time, and processor_over_budget the
- * same ratio of processor times of all threads.
+ * Measures the time to render a frame of a volume and actors with vtkShadowedScenePass. The
+ * parameter is the number of triangles, about a million. The baseline is the time to render only
+ * the volume, plus twice the time to render only the actors with VTK: once for a shadow map and
+ * once for the frame. Methods:
+ * - `scene-pass`: the camera moves, and shadow maps are reused;
+ * - `scene-pass, light moves`: shadow maps are rendered for each frame.
+ *
+ * The count over_budget is the time divided by the baseline's time; processor_over_budget is the
+ * ratio of the processor times.
  */
 void AddCostRows(const BenchOptions& options, BenchRows& rows)
 {

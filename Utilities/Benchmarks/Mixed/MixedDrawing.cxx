@@ -37,8 +37,8 @@ vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution)
   return camera;
 }
 
-/// Returns an actor of the same surface with its own mapper, so that each window has its own
-/// graphics resources.
+/// Returns a copy of \a actor with a new mapper, so that each window has its own graphics
+/// resources.
 vtkSmartPointer<vtkActor> Copy(vtkActor* actor)
 {
   vtkNew<vtkPolyDataMapper> mapper;

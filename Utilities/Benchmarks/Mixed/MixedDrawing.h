@@ -29,7 +29,7 @@ enum class Method
   /// vtkShadowMapPass, which renders only opaque actors, under spotlights and directional lights.
   ShadowMaps,
   /// vtkRenderStepsPass, which renders like a renderer without a pass: volumes shadow themselves,
-  /// actors cast no shadows.
+  /// and actors cast no shadows.
   Plain
 };
 
@@ -51,14 +51,14 @@ public:
     this->Stage.SetLights(lights);
   }
 
-  /// Renders with the current camera and lights, and returns the image in floating point.
-  /// Initially, the camera and lights are those of the scene.
+  /// Renders with the current camera and lights, which are initially those of the scene, and
+  /// returns the floating-point image.
   reference::RgbaImage Capture();
 
   /// Returns work that renders one frame with \a threads threads of vtkSMPTools, and waits until
-  /// the frame is complete. The camera rotates by half a degree per frame. If \a areLightsMoved,
-  /// the lights rotate by a fifth of a degree around z, so that shadow maps are rendered again. The
-  /// drawing must outlive the work.
+  /// the frame is complete. The camera rotates by half a degree per frame. If \a areLightsMoved is
+  /// true, the lights rotate by a fifth of a degree around z, so that shadow maps are rendered
+  /// again. The drawing must outlive the work.
   BenchWork GetFrame(int threads, bool areLightsMoved = false);
 
   /// Returns the report of the pass, or null for methods other than ScenePass.

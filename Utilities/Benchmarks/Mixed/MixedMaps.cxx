@@ -25,12 +25,14 @@ void SetError(
 }
 
 /**
- * Measures frames of surfaces under a spotlight, without a volume, rendered by
+ * Measures the time to render a frame of surfaces under a spotlight, without a volume, with
  * vtkShadowedScenePass. The baseline is vtkShadowMapPass with shadow maps of the same resolution,
- * which is the parameter. The reference for errors is a ray caster in double precision.
- * `scene-pass` and `shadow-maps`: only the camera moves. over_peer, processor_over_peer and
- * error_over_peer are Interlume's numbers divided by the baseline's. `scene-pass, light moves`:
- * shadow maps are rendered for each frame.
+ * which is the parameter. The reference for errors is a ray caster in double precision. Methods:
+ * - `scene-pass`, and `shadow-maps` (the baseline): only the camera moves;
+ * - `scene-pass, light moves`: shadow maps are rendered for each frame.
+ *
+ * The counts over_peer, processor_over_peer and error_over_peer are Interlume's wall time,
+ * processor time and error divided by those of the baseline.
  */
 void AddMapRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -15,7 +15,7 @@ namespace ranks
 {
 namespace
 {
-/// Gathers a number of each process in process 0.
+/// Gathers one number from each process in process 0.
 std::vector<double> Gather(vtkMultiProcessController* controller, double own)
 {
   std::vector<double> all(static_cast<std::size_t>(controller->GetNumberOfProcesses()));

@@ -19,7 +19,7 @@ double GetMean(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Returns a count of the row that has one process and the case and method of \a like, or 0 if
+/// Returns \a count from the single-process row with the same case and method as \a like, or 0 if
 /// there is no such row.
 double GetOfOne(const std::vector<BenchRow>& rows, const BenchRow& like, const char* count)
 {

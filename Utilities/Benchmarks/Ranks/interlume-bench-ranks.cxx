@@ -24,7 +24,7 @@
 
 namespace
 {
-/// Adds rows in process 0. All processes take part in the measurements.
+/// All processes take part in the measurements, but only process 0 adds the rows.
 void Measure(vtkMultiProcessController* controller, const BenchOptions& options, BenchRows& rows)
 {
   const int ranks = controller->GetNumberOfProcesses();

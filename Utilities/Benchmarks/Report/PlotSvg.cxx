@@ -19,7 +19,7 @@ constexpr double Right = 850.0;
 constexpr double Top = 60.0;
 constexpr double Bottom = 730.0;
 
-/// SVG paths of the marks, centered at the origin: filled shapes, then strokes.
+/// SVG paths of the marks, centered at the origin. The last two have no area and are only stroked.
 const char* const Shapes[] = { "M-9 0a9 9 0 1 0 18 0a9 9 0 1 0-18 0z", "M-8-8h16v16h-16z",
   "M0-11L11 0L0 11L-11 0z", "M0-10L10 8H-10z", "M0 10L10-8H-10z", "M-9-9H9L-9 9H9z",
   "M-10 0H10M0-10V10", "M-8-8L8 8M8-8L-8 8" };
@@ -53,8 +53,8 @@ struct Axis
   }
 };
 
-/// Returns an axis for the numbers of all series: full decades if logarithmic, otherwise from 0
-/// with some space above.
+/// Returns an axis for the numbers of all series. A logarithmic axis covers full decades. A linear
+/// axis starts at 0 and extends slightly beyond the largest number.
 Axis MakeAxis(const BenchPlot& plot, std::vector<double> BenchPlot::Series::*numbers,
   bool isLogarithmic, double first, double last)
 {
@@ -313,7 +313,8 @@ private:
     return Number(this->X.At(series.X[i])) + " " + Number(this->Y.At(series.Y[i]));
   }
 
-  /// Adds an entry to the legend and returns the coordinates of the right end of its sample line.
+  /// Adds an entry to the legend. Returns the coordinates of the right end of the line sample,
+  /// which the caller draws.
   std::string AddLegend(const std::string& label)
   {
     this->LegendHeight += 30.0;

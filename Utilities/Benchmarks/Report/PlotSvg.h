@@ -8,21 +8,22 @@
 #include <string>
 #include <vector>
 
-/// Number of distinct marks. Marks differ in shape, so that lines can be distinguished without
-/// colors.
+/// Number of distinct marks. Marks differ in shape, so that lines can be distinguished in black and
+/// white.
 constexpr std::size_t NumberOfMarks = 14;
 
-/// Returns the SVG attributes of the mark of a series: path and fill.
+/// Returns the SVG attributes of a series' mark: class, stroke, fill and path.
 std::string MarkOf(std::size_t series);
 
-/// Returns the color of a series, #rrggbb. The first five colors also differ in brightness, so that
-/// bars can be distinguished without colors.
+/// Returns the color of a series as #rrggbb. The first five colors also differ in brightness, so
+/// that bars can be distinguished in black and white.
 std::string ColorOf(std::size_t series);
 
 /**
- * Returns \a plot as an SVG image. Elements have classes: `line` (also `peer` or `no-choice`, which
- * are dashed), `bar`, `default` for rings around points of the default settings, and `front` for
- * the Pareto front. Points that cannot be drawn on a logarithmic axis are skipped.
+ * Returns \a plot as an SVG image. Classes of elements: `line` for lines (dashed lines also have
+ * the class `peer` or `no-choice`), `mark` for the marks of points, `bar` for bars, `default` for
+ * rings around points of the default settings, and `front` for the Pareto front. Points that cannot
+ * be drawn on a logarithmic axis are skipped.
  */
 std::string MakeSvg(const BenchPlot& plot, const std::string& caption);
 

@@ -33,8 +33,9 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 .failed { color: #a00; font-weight: 600; }
 summary { cursor: pointer; }
 )";
-/// Returns the rows of interlume-bench-costs: summaries of features over all scenes, then a
-/// collapsed section with the rows of each scene. Empty if there are no rows.
+/// Returns the rows of interlume-bench-costs: a table with a summary of each feature over all
+/// scenes, then a collapsed section with the rows of each scene. The result is empty if there are
+/// no rows.
 std::string CostsOf(const BenchResults& results)
 {
   std::vector<BenchRow> rows = results.RowsOf(costs::Suite);

@@ -12,10 +12,10 @@
 #include <vector>
 
 /**
- * The page of `interlume-bench report`. It starts with the machine, the conditions, and all claims,
- * missed claims first. The questions follow, each with a plot and a conclusion. Each suite then has
- * a section with its description, other plots and collapsed rows. The costs of gallery scenes and
- * the collapsed stability catalog are last.
+ * The HTML page that `interlume-bench report` writes. It starts with the machine, the conditions,
+ * and all claims, missed claims first. Next come the questions that plots answer, each with its
+ * plot and a conclusion, and then a section for each suite with its description, other plots and
+ * collapsed rows. The costs of gallery scenes and the collapsed stability catalog are last.
  */
 class ReportPage
 {

@@ -63,7 +63,7 @@ Cells CellsOf(const BenchRow& row)
   return cells;
 }
 
-/// Returns the names of the cells of all rows, without duplicates. A new name is inserted after the
+/// Returns the names of the cells in all rows, without duplicates. A new name is inserted after the
 /// name that precedes it in its row.
 std::vector<std::string> ColumnsOf(const std::vector<Cells>& rows)
 {

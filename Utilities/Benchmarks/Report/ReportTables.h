@@ -11,7 +11,7 @@
 #include <vector>
 
 /**
- * Parts of the report page in HTML. Functions return an empty string if there is nothing to show.
+ * Parts of the report page in HTML. Empty tables and sections are omitted.
  */
 namespace html
 {
@@ -29,28 +29,28 @@ struct SuitePlot
   BenchPlot Plot;
 };
 
-/// Returns a collapsed section.
+/// Returns a section that is initially collapsed. \a content is HTML.
 std::string Folded(const std::string& summary, const std::string& content);
 
 /**
- * Returns the number of questions whose default setting is on the Pareto front, then each question
- * with its plot (a link to the image file), its conclusion and the plot's conditions.
+ * Returns the number of questions whose default setting is on the Pareto front, and a figure for
+ * each question: its plot (a link to the image file), conclusion and conditions.
  */
 std::string FiguresOf(const std::vector<SuitePlot>& questions);
 
 /**
- * Returns a table of claims with the measured number of each case. Missed claims come first, and
- * missed cases are highlighted.
+ * Returns a table of claims with the measured number in each case. Missed claims come first, and
+ * cases that miss the target are highlighted.
  */
 std::string TableOf(const std::vector<SuiteClaim>& claims);
 
 /**
- * Returns one table with a column for each field that occurs in the rows, in order of appearance.
+ * Returns a table with a column for each field that occurs in the rows, in order of appearance.
  */
 std::string TableOf(const std::vector<BenchRow>& rows);
 
 /**
- * Return the table of the stability catalog, and the table of the number of cases per class.
+ * Return a table of the stability catalog, and a table of the number of cases per class.
  */
 std::string TableOf(const std::vector<StabilityCase>& cases);
 std::string TableOf(const std::vector<StabilityCount>& counts);

@@ -8,7 +8,8 @@
 
 namespace
 {
-/// Returns the case of a row, and the fields in which it differs from other rows of the same case.
+/// Returns the case of \a row, followed by the fields in which it differs from other rows of the
+/// same case.
 std::string NameAmong(const std::vector<const BenchRow*>& rows, const BenchRow& row)
 {
   const auto differs = [&](const auto& get)

@@ -10,7 +10,7 @@
 #include <vector>
 
 /**
- * A target for a number in every case of a suite, and the measured numbers.
+ * A bound that a measured number should satisfy in every case of a suite, and the numbers.
  */
 struct BenchClaim
 {
@@ -25,17 +25,17 @@ struct BenchClaim
   std::string Text;
   std::vector<Measured> Cases;
 
-  /// Returns true if the target is met in every case.
+  /// Returns true if the bound is satisfied in every case.
   bool IsMet() const;
 
-  /// Returns an object with the fields `text`, `met` and `cases`. Each case has the fields `case`,
-  /// `number` and `met`.
+  /// Returns a JSON object with the fields `text`, `met` and `cases`. Each case has the fields
+  /// `case`, `number` and `met`.
   nlohmann::ordered_json ToJson() const;
 
   /**
-   * Returns the claim that \a number of every row is at least, or at most, \a bound. Rows for which
-   * \a number is empty are excluded. The names of cases include the method, parameter and baseline
-   * if rows differ in them.
+   * Returns the claim that \a number(row) is at least, or at most, \a bound for every row. Rows for
+   * which it is empty are excluded. The names of cases include the method, parameter and baseline
+   * if rows of the same case differ in them.
    */
   static BenchClaim AtLeast(const std::string& text, double bound,
     const std::vector<BenchRow>& rows,
@@ -45,21 +45,21 @@ struct BenchClaim
 };
 
 /**
- * Returns a function for AtLeast() and AtMost() that returns the ratio of a row with this method,
+ * Returns a function for AtLeast() and AtMost(). It returns the ratio of a row with this method,
  * this baseline and one thread, and std::nullopt for other rows.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   const std::string& method, const std::string& baseline);
 
 /**
- * Returns a function for AtLeast() and AtMost() that returns the ratio of a row with this method,
+ * Returns a function for AtLeast() and AtMost(). It returns the ratio of a row with this method,
  * and std::nullopt for other rows.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioOf(const std::string& method);
 
 /**
- * Returns a function for AtLeast() and AtMost() that returns a count of a row with this method, and
- * std::nullopt for other rows or if the count is missing.
+ * Returns a function for AtLeast() and AtMost(). It returns the given count of a row with this
+ * method, and std::nullopt for other rows or if the count is missing.
  */
 std::function<std::optional<double>(const BenchRow&)> CountOf(
   const std::string& method, const std::string& count);

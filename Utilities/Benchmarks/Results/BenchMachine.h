@@ -10,20 +10,20 @@
 #include <vector>
 
 /**
- * Returns the machine and build: cpu, cores, memory_gib, system, compiler, build, smp.
+ * Returns the machine and build as fields: cpu, cores, memory_gib, system, compiler, build, smp.
  */
 nlohmann::ordered_json DescribeMachine();
 
 /**
- * Returns the conditions: date (UTC), size, threads, seed, and, if the system reports it, load, the
- * mean number of running or waiting processes in the last minute.
+ * Returns the conditions of a run as fields: date (UTC), size, threads, seed, and, if the system
+ * reports it, load, the mean number of running or waiting processes in the last minute.
  */
 nlohmann::ordered_json DescribeConditions(const BenchOptions& options);
 
 /**
- * Combines the conditions of runs: the conditions of the first run, all commands, the first and the
- * last date, and `parts` with the command, date and load of each run instead of `load`. Conditions
- * of a single run are returned unchanged.
+ * Combines the conditions of several runs. The result has the fields of the first run, except that
+ * `command` contains all commands, `date` is the range of dates, and `parts`, with the command,
+ * date and load of each run, replaces `load`. Conditions of a single run are returned unchanged.
  */
 nlohmann::ordered_json JoinConditions(const std::vector<nlohmann::ordered_json>& runs);
 

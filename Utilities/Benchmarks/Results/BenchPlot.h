@@ -38,9 +38,9 @@ struct BenchPlot
   /// File name without extension.
   std::string Name;
   std::string Title;
-  /// The question that the plot answers, for the top of the report. May be empty.
+  /// The question that the plot answers, shown at the top of the report. May be empty.
   std::string Question;
-  /// Data and methods, in sentences for the caption.
+  /// Caption: sentences about the data and methods.
   std::string Conditions;
   /// Axis labels with units.
   std::string XLabel;
@@ -63,27 +63,28 @@ struct BenchPlot
     const std::string& timeLabel, const std::string& errorLabel, const std::string& question = {},
     const std::string& conditions = {});
 
-  /// Returns a bar plot with one group for each label.
+  /// Returns a bar plot without bars. \a label is the label of the y axis.
   static BenchPlot OfBars(
     const std::string& name, const std::string& title, const std::string& label);
 
-  /// Adds a bar to the group \a group, which is created if it does not exist.
+  /// Adds a bar of the series \a label to the group \a group. Creates the series and the group if
+  /// they do not exist.
   void AddBar(const std::string& group, const std::string& label, bool isBaseline, double height);
 
   /// Adds a point to the series \a label, which is created if it does not exist.
   void AddPoint(const std::string& label, bool isBaseline, double x, double y,
     const std::string& name = std::string());
 
-  /// Adds the time and error of \a row to the series \a label, by default named after the row's
-  /// method. The parameter of the row labels the point. Errors of 0 are skipped, since the axis is
+  /// Adds the time and error of \a row as a point of the series \a label, by default the row's
+  /// method. The row's parameter labels the point. Errors of 0 are skipped, since the axis is
   /// logarithmic.
   void AddRow(const BenchRow& row, bool isBaseline, const std::string& label = {});
 
   /// Sets IsChoice of the series \a label to false, if the series exists.
   void SetNoChoice(const std::string& label);
 
-  /// Marks the last point of the series \a label, or its point named \a name, as the default. Marks
-  /// no point if there is no such point.
+  /// Marks a point of the series \a label as the default: the point named \a name, or the last one
+  /// if \a name is empty. If there is no such point, no point is marked.
   void SetDefault(const std::string& label, const std::string& name = std::string());
 };
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 /**
- * The results that the benchmark programs write: machine, VTK version, conditions, information on
+ * The results that a benchmark program writes: machine, VTK version, conditions, information on
  * each suite, and rows.
  */
 struct BenchResults
@@ -19,12 +19,12 @@ struct BenchResults
   std::string Vtk;
   /// See DescribeConditions().
   nlohmann::ordered_json Conditions;
-  /// By suite name: `took`, the wall time of the suite in seconds, and `claims`, the targets for
-  /// its rows.
+  /// For each suite name: `took`, the wall time of the suite in seconds, and `claims`, the claims
+  /// about its rows.
   nlohmann::ordered_json Suites = nlohmann::ordered_json::object();
   std::vector<BenchRow> Rows;
 
-  /// Returns results without rows, with this machine, this VTK version and the conditions of
+  /// Returns results without rows, for this machine, this VTK version and the conditions of
   /// \a options.
   static BenchResults Here(const BenchOptions& options);
 
@@ -35,7 +35,7 @@ struct BenchResults
   /// std::runtime_error with the path if the file cannot be written.
   void Write(const std::string& path, bool hasSpans = false) const;
 
-  /// Sets the targets for the rows of \a suite.
+  /// Sets the claims about the rows of \a suite.
   void SetClaims(const std::string& suite, const std::vector<BenchClaim>& claims);
 
   std::vector<BenchRow> RowsOf(const std::string& suite) const;

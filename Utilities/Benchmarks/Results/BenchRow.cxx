@@ -23,7 +23,8 @@ void PutIf(nlohmann::ordered_json& json, const char* name, const std::optional<d
   }
 }
 
-/// Adds the time, the number of runs and, if \a hasSpans is set, the start and end of each run.
+/// Adds to \a json the time, the number of runs and, if \a hasSpans is set, the start and end of
+/// each run. \a prefix is the prefix of their names.
 void PutSeconds(nlohmann::ordered_json& json, const std::string& prefix,
   const std::optional<BenchSeconds>& seconds, bool hasSpans)
 {

@@ -11,19 +11,19 @@
 #include <vector>
 
 /**
- * One measurement. Members that do not apply are empty and omitted from the JSON.
+ * One measurement. Members that do not apply are empty and omitted from the JSON object.
  */
 struct BenchRow
 {
   std::string Suite;
   std::string Case;
   std::string Method;
-  /// A number or a short text, or null.
+  /// A number, a short string, or null.
   nlohmann::ordered_json Parameter;
   std::optional<double> Error;
-  /// Definition of Error, with its unit.
+  /// Definition of Error, such as "volume, relative".
   std::string ErrorNorm;
-  /// Wall time, the median of all runs.
+  /// Wall time: the median of all runs.
   std::optional<BenchSeconds> Seconds;
   /// Name of the baseline, which runs alternately with the method.
   std::string Baseline;
@@ -34,11 +34,11 @@ struct BenchRow
   void SetTimes(
     const BenchSeconds& seconds, const std::string& baseline, const BenchSeconds& baselineSeconds);
   void SetError(const std::string& norm, double error);
-  /// Adds counts. Existing counts of the same names are overwritten.
+  /// Adds counts. Existing counts with the same names are overwritten.
   void Set(const nlohmann::ordered_json& counts) { this->Counts.update(counts); }
 
-  /// Returns the parameter as text: strings unchanged, floating-point numbers with six digits,
-  /// other values as JSON.
+  /// Returns the parameter as a string: strings unchanged, floating-point numbers with six
+  /// significant digits, and other values as JSON.
   std::string GetParameterText() const;
 
   /// Returns BaselineSeconds / Seconds, which is above 1 if the method is faster than the baseline.
@@ -59,7 +59,7 @@ public:
   explicit BenchRows(const std::string& suite);
 
   /**
-   * Returns a row with suite, case, method and parameter set.
+   * Returns a row in which only the suite, case, method and parameter are set.
    */
   BenchRow Make(const std::string& theCase, const std::string& method,
     const nlohmann::ordered_json& parameter = nullptr) const;

@@ -14,7 +14,8 @@ ErrorPoint PointOf(const BenchPlot::Series& series, std::size_t i)
     series.Y[i] };
 }
 
-/// Returns the cheapest point of the front whose error is at most the error of \a point.
+/// Returns the cheapest point of the front whose error is at most the error of \a point, or
+/// \a point itself if it is cheaper.
 ErrorPoint FindRival(const BenchPlot& plot, const ErrorPoint& point)
 {
   const std::vector<ErrorPoint> front = FindFront(plot);

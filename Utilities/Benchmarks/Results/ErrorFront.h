@@ -23,21 +23,21 @@ struct ErrorPoint
 };
 
 /**
- * Returns the Pareto front of all series, including baselines, by ascending cost and descending
- * error. A point is on the front if no other point has a smaller cost and an error that is not
- * larger.
+ * Returns the Pareto front of all series that are choices, including baselines, sorted by ascending
+ * cost and descending error. A point is on the front if all other points have a larger cost or a
+ * larger error.
  */
 std::vector<ErrorPoint> FindFront(const BenchPlot& plot);
 
 /**
  * Returns the cost of the default divided by the cost of the cheapest point whose error is not
- * larger. The ratio is 1 if the default is on the front, and empty if the plot has no default.
+ * larger. The result is 1 if the default is on the front, and empty if the plot has no default.
  */
 std::optional<double> GetCostOverFront(const BenchPlot& plot);
 
 /**
- * Largest result of GetCostOverFront() at which the default still counts as on the front. It allows
- * for the noise of measured medians.
+ * Largest result of GetCostOverFront() for which the default still counts as on the front. It
+ * allows for noise in the measured times.
  */
 constexpr double FrontTolerance = 1.1;
 

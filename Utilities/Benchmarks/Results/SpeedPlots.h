@@ -10,8 +10,8 @@
 
 /**
  * Returns bar plots of the baseline's time divided by the time of \a method: a plot for each
- * baseline, a group of bars for each case, a bar for each parameter. The names of the plots are
- * `<suite>-ratio-<baseline>`.
+ * baseline, with a group of bars for each case and a bar for each parameter. The names of the plots
+ * are `<suite>-ratio-<baseline>`.
  */
 std::vector<BenchPlot> MakeRatioPlots(
   const std::string& suite, const std::string& method, const std::vector<BenchRow>& rows);

@@ -18,8 +18,8 @@ const char* const CloudName = "cloud";
 const char* const Default = "default";
 const char* const Shadowed = "shadowed";
 
-/// Returns the mean absolute difference of the colors over the pixels, divided by the mean color of
-/// the reference.
+/// Returns the mean absolute difference between the color channels of two images, divided by the
+/// mean channel value of \a expected.
 double GetRelativeError(const reference::RgbaImage& found, const reference::RgbaImage& expected)
 {
   double difference = 0.0;
@@ -35,11 +35,10 @@ double GetRelativeError(const reference::RgbaImage& found, const reference::Rgba
   return difference / sum;
 }
 
-/// Returns the mean relative error that is due to the noise of \a image, from the standard errors
-/// of its pixels.
+/// Estimates the relative error of \a image due to noise, from the standard errors of its pixels.
 double GetNoise(const reference::TransportImage& image)
 {
-  // Mean absolute deviation of the normal distribution, in standard deviations.
+  // Mean absolute deviation of a normal distribution with standard deviation 1.
   const double mean = std::sqrt(2.0 / 3.14159265358979324);
   double sum = 0.0;
   double color = 0.0;
@@ -106,11 +105,11 @@ BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::st
 }
 
 /**
- * Compares images of a cloud with reference::TraceScene. Methods: `single`, `forward` and `full`.
- * The parameter is `default` or a changed setting: `grid 16`, `buffer 128`, `spacing 2` (relative
- * to the default spacing). Rows with default settings have the count over_shadowed, their time
- * divided by the time of the same image without scattered light. Method `monte-carlo`: the
- * parameter is the number of paths per pixel, and the error is the noise of the image.
+ * Compares images of a cloud with reference::TraceScene. Methods: `single`, `forward` and `full`;
+ * `shadowed`, without scattered light. The parameter is `default` or the setting that differs, such
+ * as `grid 16`, `buffer 128` or `spacing 2` (twice the default spacing). Rows with default settings
+ * have the count over_shadowed, their time divided by the time of `shadowed`. Method `monte-carlo`:
+ * the parameter is the number of paths per pixel, and the error is the noise of the image.
  */
 void AddCloudRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -161,7 +160,7 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
     }
     rows.Add(row);
   }
-  // Noise decreases with the square root of the number of paths.
+  // Noise is inversely proportional to the square root of the number of paths.
   for (std::uint64_t paths = traced.PathsPerPixel; paths > 0; paths /= 8)
   {
     const double fraction = static_cast<double>(paths) / static_cast<double>(traced.PathsPerPixel);
@@ -171,10 +170,11 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
 }
 
 /**
- * Measures frames of the cloud while only the camera moves, so scattered light is reused. Methods:
- * `single`, `forward` and `full`. The parameter is the number of pixels along an edge. The baseline
- * is the same image without scattered light. Counts: view_over_shadowed, the ratio of the times;
- * solves, the number of scattering solves, which is 1.
+ * Measures the time to render a frame of the cloud while only the camera moves, so that scattered
+ * light is reused. Methods: `single`, `forward` and `full`. The parameter is the number of pixels
+ * along an edge. The baseline is the same image without scattered light. Counts:
+ * view_over_shadowed, the time divided by the time of the baseline; solves, the number of times
+ * that scattered light was computed, which is 1.
  */
 void AddViewRows(const BenchOptions& options, BenchRows& rows)
 {

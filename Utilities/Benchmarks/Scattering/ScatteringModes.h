@@ -22,17 +22,17 @@ extern const char* const Forward;
 extern const char* const Full;
 extern const char* const MonteCarlo;
 
-/// Returns the names of the three scattering modes, which are the methods of rows.
+/// Returns the names of the three scattering modes, which are also the methods of rows.
 std::vector<std::string> GetModes();
 
 using Change = std::function<void(vtkShadowedSliceMapper*)>;
 
-/// Returns a change of a mapper's settings: it sets this mode and the Henyey-Greenstein phase
-/// function, and then applies \a more.
+/// Returns a function that sets a mapper's scattering mode and a Henyey-Greenstein phase function
+/// with anisotropy \a g, and then calls \a more.
 Change InMode(const std::string& mode, double g, const Change& more = nullptr);
 
-/// Returns work that renders a frame of \a method after moving the light by half a degree, so that
-/// scattered light is computed again. The light must belong to the scene of the method.
+/// Returns work that renders a frame of \a method after rotating the light by half a degree around
+/// z, so that scattered light is computed again. The light must belong to the scene of \a method.
 BenchWork GetLitFrame(shadows::Method& method, vtkLight* light, int threads);
 }
 

@@ -14,13 +14,14 @@ namespace
 {
 const char* const Norm = "relative difference of reflection or transmission, the larger one";
 
-/// Results published by H. C. van de Hulst, "Multiple Light Scattering", 1980.
+/// Results published by H. C. van de Hulst, "Multiple Light Scattering", 1980: flux of scattered
+/// light divided by the incident flux.
 struct Published
 {
   const char* Name;
   Slab Medium;
   double Reflected;
-  /// Flux of scattered light, or 0 if it is not published.
+  /// 0 if not published.
   double Transmitted;
 };
 
@@ -55,11 +56,11 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
 
 /**
  * Compares the reflection and transmission of slabs with van de Hulst's tables. Each slab is
- * rendered from several directions on both sides, and the flux is integrated over the directions. A
- * case is a row of a table; rows with grazing light are in the full suite only. Methods: `single`,
- * `forward` and `full`. The parameter is the number of grid cells across the slab. The error is the
- * larger relative error of reflection and transmission. Counts: reflected, transmitted (scattered
- * light only) and the published values.
+ * rendered from several directions on both sides, and the flux is integrated over the directions.
+ * Each case is a row of a table; cases with grazing light are in the full suite only. Methods:
+ * `single`, `forward` and `full`. The parameter is the number of grid cells along the thickness of
+ * the slab. The error is the larger of the relative errors of reflection and transmission. Counts:
+ * reflected, transmitted (scattered light only) and the published values.
  */
 void AddSlabRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -76,8 +77,8 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows)
       int last = 0;
       for (const int across : mode == Single ? std::vector<int>{ grids.front() } : grids)
       {
-        // Wide boxes reach the maximum number of cells, so several requests result in the same
-        // grid.
+        // In wide boxes the number of cells is limited, so different requests may result in the
+        // same grid.
         const int found = SlabDrawing::GetCellsAcross(slab.Medium, across);
         if (found > last)
         {

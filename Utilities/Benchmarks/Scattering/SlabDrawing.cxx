@@ -24,14 +24,14 @@ constexpr std::array<double, 8> Weights = { { 0.0506142681451884, 0.111190517226
   0.1568533229389437, 0.1813418916891810, 0.1813418916891810, 0.1568533229389437,
   0.1111905172266872, 0.0506142681451884 } };
 
-/// Size of the light buffer for short mean free paths.
+/// Number of columns and rows of the light buffer for short mean free paths.
 constexpr int FineBuffer = 384;
 
-/// Maximum number of cells along the box.
+/// Maximum number of grid cells along the width of the box.
 constexpr int MaximumCells = 128;
 
-/// Returns the width of the box divided by its thickness. Thin slabs need wide boxes, since grazing
-/// light in them comes from far away.
+/// Returns the width of the box divided by its thickness. Optically thin slabs require wide boxes,
+/// since light in grazing directions comes from far away.
 int GetWidth(const Slab& slab)
 {
   return slab.Depth < 0.1 ? 64 : slab.Depth < 4.0 ? 12 : slab.Depth < 16.0 ? 8 : 3;
@@ -43,8 +43,8 @@ reference::ShadowScene MakeScene(const Slab& slab)
   reference::ShadowScene scene;
   scene.Image = reference::MakeImage({ { 2 * width, 2 * width, 32 } }, { { 0.5, 0.5, 1.0 / 32.0 } },
     [](const reference::Double3&) { return 1.0; });
-  // The color is the albedo. The unit distance keeps the opacity small and sets the extinction to
-  // the optical depth.
+  // The color is the albedo. The thickness is 1, so the extinction equals the optical depth. The
+  // unit distance is the one at which this extinction results in a small opacity.
   const double a = slab.Albedo;
   constexpr double opacity = 0.02;
   scene.Property =
@@ -58,8 +58,8 @@ reference::ShadowScene MakeScene(const Slab& slab)
   return scene;
 }
 
-/// Returns a camera that views the center of the upper or lower face. \a cosine is the cosine of
-/// the angle between the view direction and the normal.
+/// Returns a camera that views the center of the upper or lower face of the slab. \a cosine is the
+/// cosine of the angle between the view direction and the face normal.
 vtkSmartPointer<vtkCamera> MakeCamera(double cosine, bool isAbove, double width)
 {
   const double across = std::sqrt(1.0 - cosine * cosine);
@@ -79,7 +79,7 @@ SlabDrawing::SlabDrawing(
   , Scene(MakeScene(slab))
 {
   const int cells = std::min(across * GetWidth(slab), MaximumCells);
-  // Depth along the normal that obliquely incident light reaches in one mean free path.
+  // Depth along the normal that incident light reaches in one mean free path.
   const double path = slab.Cosine / slab.Depth;
   const double spacing = std::min(1.0 / 32.0, 0.5 * path);
   this->Drawn = shadows::MakeSlices(stage, this->Scene,
@@ -102,15 +102,15 @@ double SlabDrawing::GetFlux(bool isReflected)
   double sum = 0.0;
   for (std::size_t i = 0; i < Nodes.size(); ++i)
   {
-    // View directions are dense near the normal. A Henyey-Greenstein phase function with g = 0.9 in
-    // a thin slab is then integrated with an error below 0.5 %.
+    // View directions are denser near the normal, so that a Henyey-Greenstein phase function with
+    // g = 0.9 in a thin slab is integrated with an error below 0.5 %.
     const double rest = 1.0 - Nodes[i];
     const double cosine = 1.0 - rest * rest * rest;
     this->Scene.Camera->DeepCopy(MakeCamera(cosine, isReflected, GetWidth(this->Medium)));
     sum += 3.0 * rest * rest * Weights[i] * cosine * this->Drawn->Capture().At(2, 2)[0];
   }
-  // A light of color 1 has an irradiance of 4 pi perpendicular to its direction; the integral over
-  // azimuth contributes 2 pi.
+  // A light of color 1 has an irradiance of 4 pi perpendicular to its direction. The integral over
+  // the azimuth contributes a factor of 2 pi.
   return 0.5 * sum / this->Medium.Cosine;
 }
 

@@ -15,7 +15,7 @@ struct Slab
   double Depth;
   double Albedo;
   double G;
-  /// Cosine of the angle between the light and the normal.
+  /// Cosine of the angle between the light direction and the normal of the planes.
   double Cosine;
 };
 
@@ -24,10 +24,10 @@ struct Slab
  * @brief   flux reflected and transmitted by a slab, integrated from rendered images
  *
  * The slab is a box of thickness 1. It is wide enough for its center to behave like an infinite
- * slab: in optically thin slabs, light travels sideways by many thicknesses before it leaves; in
- * thick slabs, by only a few. The slice spacing and the light buffer resolve the mean free path of
- * light rays and view rays. The scattering grid has \a across cells across the slab, but at most
- * 128 cells along the box.
+ * slab: in optically thin slabs, light travels sideways by many thicknesses before it leaves the
+ * slab; in thick slabs, by only a few. The slice spacing and the light buffer resolve the mean free
+ * path. The scattering grid has \a across cells along the thickness, or fewer if it would otherwise
+ * have more than 128 cells along the width.
  */
 class SlabDrawing
 {
@@ -35,14 +35,14 @@ public:
   SlabDrawing(reference::VolumeStage& stage, const Slab& slab, const std::string& mode, int across);
 
   /// Returns the flux of scattered light divided by the incident flux, on the lit side if
-  /// \a isReflected, otherwise on the far side. It is the integral of cosine times radiance, by
-  /// Gauss quadrature over directions.
+  /// \a isReflected is true, otherwise on the far side. The flux is the integral of cosine times
+  /// radiance over all directions, computed by Gauss quadrature.
   double GetFlux(bool isReflected);
-  /// Returns work that moves the light and renders a frame.
+  /// Returns work that moves the light and then renders a frame.
   BenchWork GetLitFrame(int threads);
-  /// Returns the number of cells across the slab.
+  /// Returns the number of grid cells along the thickness of the slab.
   int GetCellsAcross() const { return GetCellsAcross(this->Medium, this->Across); }
-  /// Returns the number of cells across \a slab if \a across cells are requested.
+  /// Returns the number of grid cells along the thickness of \a slab if \a across are requested.
   static int GetCellsAcross(const Slab& slab, int across);
 
 private:

@@ -10,7 +10,7 @@
  */
 namespace shadows
 {
-/// Returns true if this VTK has volumetric shadows.
+/// Returns true if this VTK version has volumetric shadows.
 constexpr bool HasGpuShadows()
 {
   return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);

@@ -25,7 +25,7 @@ const char* const Buffer = "buffer";
 const char* const EqualError = "equal-error";
 const char* const Scattering = ", scattering";
 const char* const Shaded = ", shaded";
-/// Lower limit of the baseline's sample distance, in voxels.
+/// The baseline is measured only with larger sample distances than this, in voxels.
 constexpr double FinestSamples = 0.25;
 constexpr int Repeats = 3;
 
@@ -37,7 +37,7 @@ std::vector<Case> MakeCases(const BenchOptions& options)
     { MakeSphere(points), MakeRings(points), MakeBonsai(step, step) }, options.Pick(256, 64, 16));
 }
 
-/// Returns the default slice spacing in world units.
+/// Returns the default slice spacing for \a scene, in world units.
 double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowScene& scene)
 {
   const MethodPointer method = MakeSlices(stage, scene);
@@ -106,14 +106,14 @@ void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
   }
 }
 
-/// A time and an error, as in the plots.
+/// A point of a plot of error against time.
 struct Point
 {
   BenchSeconds Seconds = {};
   double Error;
 };
 
-/// Returns the points of the method \a method in the case \a name, in descending order of errors.
+/// Returns the points of \a method in the case \a name, sorted by descending error.
 std::vector<Point> GetPoints(
   const std::vector<BenchRow>& rows, const std::string& name, const std::string& method)
 {
@@ -171,17 +171,17 @@ void AddEqualErrorRow(const std::string& name, BenchRows& rows)
 }
 
 /**
- * Compares images under one light with images of a ray marcher that traces shadow rays in double
- * precision. Cases are `<case>, scattering` (see MakeScattering) and `<case>, shaded` (without
- * gpu-shadows, which has another shading model). Methods:
+ * Compares images under one light with those of a ray marcher that traces shadow rays in double
+ * precision. Cases are `<scene>, scattering` (see MakeScattering) and `<scene>, shaded` (without
+ * gpu-shadows, which has a different shading model). Methods:
  * - `spacing`: the parameter is the slice spacing relative to the default;
  * - `buffer`: the parameter is the size of the light buffer;
  * - `gpu-shadows`: the parameter is the sample distance in voxels.
  *
- * Rows of method `equal-error` have the time of the default settings. Their peer_seconds is the
- * time of gpu-shadows at the same error, interpolated between its points in the log-log plot. If
- * gpu-shadows does not reach this error, peer_seconds is the time at the smallest error of
- * gpu-shadows, and the count at_least is 1.
+ * Rows of method `equal-error` have the time and error of the default settings. Their peer_seconds
+ * is the time of gpu-shadows at the same error, interpolated between its points in the log-log
+ * plot. If gpu-shadows does not reach this error, peer_seconds is the time at its smallest error,
+ * and the count at_least is 1.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {

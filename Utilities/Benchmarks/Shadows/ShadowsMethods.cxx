@@ -85,8 +85,8 @@ reference::RgbaImage Method::Capture()
   {
     return this->Stage.Capture(1);
   }
-  // vtkGPUVolumeRayCastMapper cannot read the depth buffer of the floating-point framebuffer. It
-  // renders nothing there unless it has read a depth buffer before.
+  // vtkGPUVolumeRayCastMapper cannot read the depth buffer of the floating-point framebuffer, and
+  // renders nothing to it unless the mapper has read another depth buffer before.
   this->Stage.Render();
   return this->Stage.Capture();
 }

@@ -21,17 +21,17 @@ class vtkCamera;
 class vtkVolumeMapper;
 
 /**
- * Methods of rendering a volume in the suite `shadows`.
+ * Rendering methods that the suite `shadows` compares.
  */
 namespace shadows
 {
-/// Baselines: vtkGPUVolumeRayCastMapper without and with volumetric shadows.
+/// Names of the baselines: vtkGPUVolumeRayCastMapper without and with volumetric shadows.
 extern const char* const GpuBaseline;
 extern const char* const GpuShadowsBaseline;
 
 /**
- * A volume in a window that several methods share. Only one method is visible at a time.
- * Alternating methods therefore rebuild nothing and share compiled shaders.
+ * A volume with one mapper, in a window that several methods share. Only one method is visible at a
+ * time. Switching between methods therefore rebuilds nothing, and compiled shaders are shared.
  */
 class Method
 {
@@ -43,14 +43,14 @@ public:
   Method(const Method&) = delete;
   Method& operator=(const Method&) = delete;
 
-  /// Returns work that renders one frame with \a threads threads of vtkSMPTools, and waits until
-  /// the frame is complete. The camera rotates by half a degree per frame. The method must outlive
-  /// the work.
+  /// Returns work that renders one frame with \a threads threads of vtkSMPTools and waits until the
+  /// frame is complete. The camera rotates by half a degree per frame. The method must outlive the
+  /// work.
   BenchWork GetFrame(int threads);
-  /// Returns the image at the initial camera position, in floating point.
+  /// Returns the image at the initial camera position as floating-point values.
   reference::RgbaImage Capture();
 
-  /// Returns the mapper, or null if the mapper is VTK's.
+  /// Returns the mapper if it is a vtkShadowedSliceMapper, or null otherwise.
   vtkShadowedSliceMapper* GetSlices();
 
 private:
@@ -65,14 +65,15 @@ private:
 
 using MethodPointer = std::unique_ptr<Method>;
 
-/// Creates vtkShadowedSliceMapper at full quality. \a set may change its settings.
+/// Creates a method with a vtkShadowedSliceMapper at full quality. \a set may change the mapper's
+/// settings.
 MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowScene& scene,
   const std::function<void(vtkShadowedSliceMapper*)>& set = nullptr);
 
 /**
- * Create vtkGPUVolumeRayCastMapper with one ray per pixel and the given sample distance in voxels.
- * MakeShadowRays() adds shadows by CastGpuShadows() and turns Shade on, which the shadows require.
- * It returns null if this VTK has no volumetric shadows.
+ * Create a method with a vtkGPUVolumeRayCastMapper that casts one ray per pixel, with the given
+ * sample distance in voxels. MakeShadowRays() also calls CastGpuShadows() and turns Shade on, which
+ * the shadows require. It returns null if this version of VTK has no volumetric shadows.
  */
 MethodPointer MakeRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
@@ -89,10 +90,10 @@ struct Setting
   double Error = 0.0;
 };
 
-/// Times frames of all settings alternately.
+/// Measures the frame times of all settings, which run alternately.
 void MeasureFrames(std::vector<Setting>& settings, int threads, int repeats);
 
-/// Adds counts of the last frame to \a row: slices, passes, lights, light buffers, bytes.
+/// Adds the counts of the last frame, such as slices, passes and bytes, from \a report to \a row.
 void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 

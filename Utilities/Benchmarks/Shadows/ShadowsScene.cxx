@@ -36,7 +36,7 @@ struct Node
   double Opacity;
 };
 
-/// Returns a property whose opacities refer to the distance \a unit.
+/// Returns a property whose ScalarOpacityUnitDistance is \a unit.
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(const std::vector<Node>& nodes, double unit)
 {
   vtkNew<vtkColorTransferFunction> color;
@@ -93,7 +93,7 @@ reference::ShadowScene MakeScene(
   return scene;
 }
 
-/// Samples a model on points^3 points of the cube from -half to half.
+/// Samples \a model on points^3 points of the cube [-half, half]^3.
 vtkSmartPointer<vtkImageData> Sample(vtkSpatialObject* model, int points, double half)
 {
   vtkNew<vtkConstructiveVolume> volume;
@@ -105,8 +105,8 @@ vtkSmartPointer<vtkImageData> Sample(vtkSpatialObject* model, int points, double
   return volume->GetOutput();
 }
 
-/// Returns a directional light. Its direction is given relative to the camera: forward, right and
-/// up.
+/// Returns a directional light. Its direction is given by its forward, right and up components in
+/// the camera's coordinate system.
 vtkSmartPointer<vtkLight> MakeLight(
   const reference::ShadowScene& scene, double forward, double right, double up, double intensity)
 {
@@ -209,7 +209,8 @@ Case MakeBox(int points)
   image->SetOrigin(-1.0, -1.0, -1.0);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* values = static_cast<float*>(image->GetScalarPointer());
-  // Returns the occupancy, 0 to 1, of a box at a point. It falls linearly within two voxels.
+  // Returns the occupancy (0 to 1) of a box at a point. It falls linearly from 1 to 0 over two
+  // voxels at the surface of the box.
   const auto occupancy = [&](const double x[3], const Double3& center, const Double3& half)
   {
     double value = 1.0;

@@ -41,7 +41,8 @@ std::vector<Case> MakeCases(const BenchOptions& options)
   return WithPixels(std::move(cases), options.Pick(512, 192, 32));
 }
 
-/// Settings that run alternately. A setting is identified by its name and number of lights.
+/// Settings whose frames are measured alternately. Each has a unique combination of name and number
+/// of lights.
 using Turns = std::vector<Setting>;
 
 reference::ShadowScene WithLights(
@@ -142,8 +143,8 @@ bool IsOfBonsai(const BenchRow& row)
   return row.Case.compare(0, 6, "bonsai") == 0;
 }
 
-/// Returns a function for claims. It returns the time of bonsai rows with \a lights lights and
-/// shadows, divided by the time without shadows.
+/// Returns a function for BenchClaim. For rows of bonsai cases with \a lights lights, it returns
+/// the time with shadows divided by the time without shadows.
 std::function<std::optional<double>(const BenchRow&)> OverOff(int lights)
 {
   return [lights](const BenchRow& row) -> std::optional<double>
@@ -154,7 +155,7 @@ std::function<std::optional<double>(const BenchRow&)> OverOff(int lights)
   };
 }
 
-/// Returns 1 plus the mean time that each light after the first adds, divided by the time of one
+/// Returns 1 plus the mean time that each light after the first adds, relative to the time with one
 /// light.
 std::optional<double> OverFurtherLight(const BenchRow& row)
 {
@@ -167,12 +168,14 @@ std::optional<double> OverFurtherLight(const BenchRow& row)
 }
 
 /**
- * Measures one frame of each case. The parameter is the number of lights. Methods:
- * - `shadows`: the baseline `shadows-off` has the same lights without shadows; over_off is the time
- *   divided by the baseline's time, over_one_light the time divided by the time of one light;
- * - `shadows` with one light: the baseline is `gpu-shadows`; `shadows-off`: the baseline is `gpu`;
- * - `unlit`: a light that neither shades nor casts shadows; the baseline `no-lights` is the same
- *   volume in a scene without lights.
+ * Measures the time of one frame of each case. The parameter is the number of lights. Methods:
+ * - `shadows`, with the baseline `shadows-off`, which has the same lights without shadows. over_off
+ *   is the time divided by the baseline's time, and over_one_light is the time divided by the time
+ *   with one light;
+ * - `shadows` with one light, with the baseline `gpu-shadows`;
+ * - `shadows-off` with one light, with the baseline `gpu`;
+ * - `unlit`: one light, with Shade and shadows off. The baseline `no-lights` is the same volume in
+ *   a scene without lights.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -26,8 +26,8 @@ const char* const EqualTime = "equal-time";
 /// Diameter of the light divided by the diagonal of the volume.
 constexpr double LightSize = 1.0;
 constexpr int Repeats = 3;
-/// Maximum number of sample lights per rendered image. Shaders contain a copy of the light code for
-/// each light, and software OpenGL takes minutes to compile hundreds of copies.
+/// Maximum number of point lights in one image of the reference. Shaders contain a copy of the
+/// light code for each light, and software OpenGL takes minutes to compile hundreds of copies.
 constexpr std::size_t MaximumLightsPerImage = 16;
 
 using Change = std::function<void(vtkShadowedSliceMapper*)>;
@@ -108,8 +108,8 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   return settings;
 }
 
-/// Returns point lights at the positions of the light's samples, in groups. The mean of the images
-/// of all groups is the image under all lights.
+/// Returns point lights at the sample positions of the area light \a light, in groups. The mean of
+/// the images of all groups is the image under all point lights.
 std::vector<std::vector<vtkSmartPointer<vtkLight>>> MakeSampleLights(vtkLight* light, int count)
 {
   auto* area = vtkAreaLight::SafeDownCast(light);
@@ -180,7 +180,7 @@ BenchRow MakeRow(const Setting& setting, const std::string& name, const BenchRow
 }
 
 /// Returns the convolution setting with the smallest error among those that take at most \a seconds
-/// of processor time. If all take longer, returns the fastest.
+/// of CPU time. If all take longer, returns the fastest.
 const Setting& FindEqualTime(const std::vector<Setting>& settings, double seconds)
 {
   const Setting* best = nullptr;
@@ -238,21 +238,22 @@ void AddSceneRows(
 
 /**
  * Measures errors of images of an isotropically scattering medium under a round area light. The
- * reference is rendered by the same mapper with a point light for each of 256 light samples (32 in
- * quick runs), sixteen per image. The reference has half the default slice spacing and a light
- * buffer of 256^2 texels (128^2 in quick runs). processor_seconds is the processor time of all
- * threads. Methods:
- * - `sample-layers`: the parameter is the number of light samples; `sample-layers, buffer`: the
- *   size of the light buffer, with the default number of samples;
+ * reference is rendered by the same mapper with 256 point lights (32 in quick runs), one for each
+ * light sample and at most sixteen per image. It has half the default slice spacing and a light
+ * buffer of 256^2 texels (128^2 in quick runs). processor_seconds is the CPU time of all threads.
+ * Methods:
+ * - `sample-layers`: the parameter is the number of light samples;
+ * - `sample-layers, buffer`: the parameter is the size of the light buffer. The number of light
+ *   samples is the default;
  * - `accumulated-convolution`: the parameter is the slice spacing relative to the default;
- *   `accumulated-convolution, buffer`: the size of the light buffer;
+ * - `accumulated-convolution, buffer`: the parameter is the size of the light buffer;
  * - `hard`: a light of size 0;
- * - `default`: all settings have their defaults; the baseline is `hard`, and over_hard is the ratio
- *   of processor times.
+ * - `default`: all settings have their defaults. The baseline is `hard`, and over_hard is the ratio
+ *   of CPU times.
  *
  * Rows of method `equal-time` have the error of the default settings. Their baseline is the
- * convolution setting with the smallest error in at most the default's processor time, or the
- * fastest convolution setting if all take longer. convolution_over_default is the error of the
+ * convolution setting with the smallest error in at most the CPU time of the default settings, or
+ * the fastest convolution setting if all take longer. convolution_over_default is the error of the
  * baseline divided by the error of the default settings.
  */
 void AddSoftShadowRows(const BenchOptions& options, BenchRows& rows)

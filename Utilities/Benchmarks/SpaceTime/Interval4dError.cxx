@@ -232,14 +232,14 @@ void AddSliceAgainRow(const FieldSeries& series, const BenchOptions& options, Be
 
 bool IsOf(const BenchRow& row, const std::string& field, const std::string& method)
 {
-  // Rounding errors have no order of convergence, and an error of 0 cannot be drawn on a
-  // logarithmic axis.
+  // Excludes rounding errors: they have no order of convergence, and an error of 0 cannot be drawn
+  // on a logarithmic axis.
   return row.Case == field && row.Method == method && row.ErrorNorm == DifferenceNorm &&
     *row.Error > 1e-12;
 }
 
-/// Returns the error of `sampled` for the time step of \a row, the spatial error that all methods
-/// share.
+/// Returns the error of `sampled` for the time step of \a row, which is the spatial error common to
+/// all methods.
 double GetFloor(const BenchRow& row, const std::vector<BenchRow>& rows)
 {
   const auto found = std::find_if(rows.begin(), rows.end(),
@@ -275,16 +275,18 @@ void AddOrderRow(const std::string& field, const char* method, BenchRows& rows)
  * - `slice`: vtkTimeVaryingIntervalVolume on each slab, then vtkSimplexTimeSlice;
  * - `interpolate`, the baseline: the mean of the fields at both time steps, then vtkIntervalVolume;
  * - `sampled`: the field sampled midway between the steps on the same grid, then vtkIntervalVolume
- *   (sampling is not timed). Its error is the spatial error without any temporal error.
+ *   (sampling is not timed). Its error is purely spatial.
  *
- * There is one row for each norm. Its error is the mean over the regions:
- * - `symmetric difference, share of the volume`: the volume between the result's surface and the
- *   analytic surface, to first order: the distance between the surfaces, integrated over the area;
- * - `volume, relative`: the volume error relative to the analytic region.
+ * There is one row for each error norm. The error is the mean over all regions:
+ * - `symmetric difference, share of the volume`: the volume between the surface of the result and
+ *   the analytic surface, approximated to first order by integrating the distance between them over
+ *   the surface of the result, and divided by the volume of the analytic region;
+ * - `volume, relative`: the error of the volume, divided by the volume of the analytic region.
  *
  * The count `order` is the exponent of the symmetric difference as a function of the time step,
- * fitted to errors above four times the error of `sampled`. Rows of method `slice-again` have the
- * time of a second slice of the same 4-simplices. Their baseline is `interpolate` for one region.
+ * fitted to errors larger than four times the error of `sampled`. Rows of method `slice-again` have
+ * the time of a second slice of the same 4-simplices. Their baseline is `interpolate` for one
+ * region.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {

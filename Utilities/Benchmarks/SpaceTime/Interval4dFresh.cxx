@@ -17,7 +17,7 @@ namespace
 const char* const FreshTask = "fresh";
 const char* const LaterSlabsTask = "later-slabs";
 
-/// Total size of all case tables of the process.
+/// Number of kinds (cases up to symmetry) and bytes of all case tables in this process.
 struct TableCounts
 {
   std::uint64_t Kinds = 0;
@@ -41,8 +41,8 @@ vtkIdType Count(vtkTimeVaryingIntervalVolume* filter, const char* name)
   return filter->GetReport()->GetCount(name);
 }
 
-/// Returns the table counts of the last execution of \a filter. \a before is the size of the tables
-/// before that execution.
+/// Returns counts of the table lookups in the last execution of \a filter. \a before is the size of
+/// the tables before that execution.
 nlohmann::ordered_json CountLookups(vtkTimeVaryingIntervalVolume* filter, const TableCounts& before)
 {
   const TableCounts after = TableCounts::Get();
@@ -105,7 +105,8 @@ nlohmann::ordered_json MeasureFresh(const std::string& theCase, const BenchOptio
   return json;
 }
 
-/// Processes the first slab, then all others, and returns the table counts of the others.
+/// Processes the first slab, then the remaining slabs, and returns the table counts of the
+/// remaining slabs.
 nlohmann::ordered_json MeasureLaterSlabs(const std::string& theCase, const BenchOptions& options)
 {
   const Case what = MakeCase(theCase, options);
@@ -120,14 +121,14 @@ nlohmann::ordered_json MeasureLaterSlabs(const std::string& theCase, const Bench
 
 /**
  * Adds rows for every case:
- * - method `cold`, with one thread: the first execution in the process; the baseline `warm` is a
- *   later execution. `hit_share` is the fraction of lookups that found their case. `kind_hit_share`
- *   is the fraction of lookups that found the case or a symmetric case, so that no convex hull had
- *   to be computed;
+ * - method `cold`, with one thread: the first execution in a new process. The baseline `warm` is a
+ *   later execution. `hit_share` is the fraction of table lookups that found their case.
+ *   `kind_hit_share` is the fraction of lookups that found the case or a symmetric case, so that no
+ *   convex hull had to be computed;
  * - method `later-slabs`, for cases with three or more time steps: the lookups of all slabs except
- *   the first, in a process that has processed only the first slab;
- * - method `memory`, with filled tables. `steps_kib` is the size of two time steps and `output_kib`
- *   the size of the output. `working_kib` is reported by the filter. `peak_kib` is two time steps
+ *   the first, in a process that has processed only the first slab before;
+ * - method `memory`, with filled tables: `steps_kib` is the size of two time steps, `output_kib` is
+ *   the size of the output, and `working_kib` is reported by the filter. `peak_kib` is `steps_kib`
  *   plus the largest growth of the resident memory of the process. `peak_share` is `peak_kib`
  *   divided by the sum of `steps_kib` and `output_kib`. `peak_kib` and `peak_share` are absent if
  *   the system does not report resident memory.

@@ -31,9 +31,9 @@ void AddRow(const Case& what, double fraction, const BenchOptions& options, Benc
 }
 
 /**
- * Measures the method `throughput`, with one thread and a filled case table. It extracts f >= c of
- * the field VORTEX on grids of several sizes. c is chosen so that a given fraction of the grid's
- * points, the parameter, is inside at time 0.
+ * Adds rows of method `throughput`, with one thread and a filled case table. They measure the
+ * extraction of f >= c from the field VORTEX on grids of several resolutions. The parameter is the
+ * fraction of grid points that are inside at time 0. It determines c.
  */
 void AddThroughputRows(const BenchOptions& options, BenchRows& rows)
 {

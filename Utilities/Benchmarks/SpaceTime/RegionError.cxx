@@ -16,8 +16,8 @@ namespace interval4d
 {
 namespace
 {
-/// Returns true if \a value equals \a bound up to rounding error. The point is then on the surface
-/// of that bound.
+/// Returns true if \a value equals \a bound up to rounding error. The point with this value is then
+/// on the isosurface of \a bound.
 bool IsAt(double value, double bound)
 {
   return std::abs(value - bound) < 1e-9;

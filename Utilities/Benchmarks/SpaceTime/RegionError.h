@@ -9,16 +9,18 @@ class vtkUnstructuredGrid;
 namespace interval4d
 {
 /**
- * Differences between tetrahedra, whose point array "f" is the field, and the analytic region of a
- * moving field at a time. Both differences are fractions of the volume of the analytic region.
+ * Errors of a region that consists of tetrahedra, relative to the analytic region of a moving field
+ * at one time. The tetrahedra must have the field as a point array. Both errors are divided by the
+ * volume of the analytic region.
  */
 struct RegionError
 {
   /// Volume between the surface of the tetrahedra and the analytic surface, to first order. The
-  /// surface consists of the faces whose points all have the lower value or all have the upper
-  /// value.
+  /// surface consists of the triangles whose three points all have the lower bound or all have the
+  /// upper bound as their value.
   double SymmetricDifference = 0.0;
-  /// Error of the sum of signed volumes.
+  /// Absolute error of the volume, which is computed as the sum of the signed volumes of all
+  /// tetrahedra.
   double Volume = 0.0;
 };
 

@@ -4,7 +4,7 @@
 
 #include "Benchmarks/Suites/BenchSuite.h"
 
-/// Parts of all suites. Each source file describes its rows.
+/// Functions that return the parts of all suites. The source file of each part describes its rows.
 BenchPart MakeTablesPart();
 BenchPart MakeFlowTexturePart();
 

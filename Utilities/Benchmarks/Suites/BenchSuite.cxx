@@ -8,7 +8,7 @@
 
 namespace
 {
-/// Calls \a function of all parts and returns the concatenated results.
+/// Calls \a function on all parts that define it, and returns the concatenated results.
 template <typename Item, typename Function>
 std::vector<Item> Collect(
   const BenchSuite& suite, Function BenchPart::*function, const std::vector<BenchRow>& rows)

@@ -20,26 +20,26 @@ struct BenchPart
   using Task = nlohmann::ordered_json (*)(const std::string& argument, const BenchOptions& options);
 
   std::function<void(const BenchOptions& options, BenchRows& rows)> AddRows = {};
-  /// Returns the plots of \a rows, which are the rows of the whole suite.
+  /// Returns the plots of \a rows, which are the rows of all parts of the suite.
   std::function<std::vector<BenchPlot>(const std::vector<BenchRow>& rows)> MakePlots = {};
-  /// Returns the claims about \a rows, which are the rows of the whole suite.
+  /// Returns the claims about \a rows, which are the rows of all parts of the suite.
   std::function<std::vector<BenchClaim>(const std::vector<BenchRow>& rows)> CheckClaims = {};
   /// Functions that RunChild() can execute, by name.
   std::map<std::string, Task> Tasks = {};
 };
 
 /**
- * A group of measurements whose rows are measured, written and plotted together. To add a suite,
- * write a function that returns it and call the function in MakeAllSuites().
+ * A group of measurements that are run, written and plotted together. To add a suite, write a
+ * function that returns it and call that function in MakeAllSuites().
  */
 struct BenchSuite
 {
-  /// Name on the command line and in the field `suite`.
+  /// Name on the command line and in the field `suite` of rows.
   std::string Name;
-  /// One line for --list.
+  /// One-line description for --list.
   std::string Title;
-  /// Plain-text description of the measurements and methods for the report, one paragraph per
-  /// string.
+  /// Description of the measurements and methods for the report, as plain text with one paragraph
+  /// per string.
   std::vector<std::string> Description;
   std::vector<BenchPart> Parts;
 
@@ -54,7 +54,7 @@ struct BenchSuite
 
 /**
  * Executes a task of a suite in a new process with the same options, and returns its result. Throws
- * std::runtime_error with the command if the process fails.
+ * std::runtime_error, with the command in the message, if the process fails.
  */
 nlohmann::ordered_json RunChild(
   const std::string& suite, const std::string& task, const BenchOptions& options);

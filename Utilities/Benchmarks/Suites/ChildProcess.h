@@ -9,9 +9,9 @@
 #include <string>
 
 /**
- * Runs \a program with \a arguments (shell syntax) and with the seed, threads and size of \a
- * options. Returns the JSON that the program prints. Throws std::runtime_error with the command if
- * the process fails.
+ * Runs \a program with \a arguments (in shell syntax) and with the seed, threads and size of
+ * \a options. Returns the JSON that the program prints. Throws std::runtime_error, with the command
+ * in the message, if the process fails.
  */
 nlohmann::ordered_json RunProgram(
   const std::string& program, const std::string& arguments, const BenchOptions& options);

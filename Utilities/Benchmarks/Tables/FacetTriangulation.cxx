@@ -12,7 +12,8 @@ namespace
 {
 using PointList = FacetTriangulation::PointList;
 
-// Computes pulling triangulations. Caches the triangulation of each face, since facets share faces.
+// Computes pulling triangulations. Caches the triangulation of each face, since neighboring faces
+// share lower-dimensional faces.
 class Puller
 {
 public:
@@ -62,7 +63,8 @@ private:
   std::map<PointSet, std::vector<PointList>> Known;
 };
 
-// Computes a placing triangulation. The first points may lie in a subspace of lower dimension.
+// Computes a placing triangulation. The points placed first may all lie in a lower-dimensional
+// subspace.
 class Placer
 {
 public:
@@ -95,7 +97,7 @@ public:
   std::vector<PointList> Simplices;
 
 private:
-  // A face of a simplex and the vertex opposite to it.
+  // A face of a simplex and the vertex of the simplex that is opposite to it.
   struct Face
   {
     PointList Points;

@@ -8,15 +8,15 @@
 
 /**
  * @class   FacetTriangulation
- * @brief   cuts the facets of a patch into simplices in a given order of the points
+ * @brief   triangulates the facets of a patch, based on a given order of the points
  *
- * The cut of a face depends only on the order of its points. Two cells that order the points of
- * their common face in the same way therefore cut it in the same way. Methods:
- * - Placing: points are added in order. Each point is joined to the faces of the existing simplices
- *   that are visible from it (coplanar faces are not), as in C. Zhang, dissertation, Ohio State
- *   2006, section 3.3.
- * - Pulling: a face is split from its first point into cones over its faces that do not contain
- *   that point.
+ * The triangulation of a face depends only on the order of its points. Two cells that order the
+ * points of their common face in the same way therefore triangulate it in the same way. Methods:
+ * - Placing: points are added in order. Each point is joined to those faces of the existing
+ *   simplices that are visible from it (coplanar faces are not), as in C. Zhang, dissertation, Ohio
+ *   State 2006, section 3.3.
+ * - Pulling: the first point of a face is joined to the simplices of all subfaces that do not
+ *   contain it, which are triangulated in the same way.
  *
  * All simplices have the orientation of their facet. \a rank defines the order of the points. It
  * has one entry for each edge of the cell, since each point is on an edge. Points of a facet must

@@ -21,8 +21,9 @@ constexpr int Vertices = 16;
 constexpr std::uint32_t Cases = 43046721;
 using PointList = CasePatch::PointList;
 
-// A symmetry of the cube: where it maps each vertex of the cube and each edge of the lifted cube,
-// and, for each vertex, the weight that its digit has in the key of the mapped case.
+// A symmetry of the cube. Vertex and Edge contain the image of each vertex of the cube and of each
+// edge of the lifted cube. Weight contains, for each vertex, the power of 3 by which its digit is
+// multiplied in the key of the mapped case.
 struct Symmetry
 {
   std::array<int, Vertices> Vertex;
@@ -75,12 +76,13 @@ std::vector<Symmetry> MakeSymmetries(const Polytope& lifted)
   return symmetries;
 }
 
-// One case of a symmetry class, with the number of cases in the class.
+// A class of symmetric cases: the key of its first case and the number of cases.
 struct Kind
 {
   std::uint32_t Key;
   std::uint32_t Size;
-  // For each facet: its orbit, and the symmetry that maps the first facet of the orbit to it.
+  // For each facet: the index of its orbit, and of the symmetry that maps the first facet of the
+  // orbit to it.
   std::vector<std::array<int, 2>> Facets;
 };
 
@@ -122,8 +124,8 @@ std::vector<Kind> FindKinds(const std::vector<Symmetry>& symmetries)
   return kinds;
 }
 
-// The face lattice of a facet with local point numbers. It counts the simplices of pulling
-// triangulations quickly.
+// The face lattice of a facet whose points are numbered from 0. It counts the simplices of pulling
+// triangulations without computing them.
 class Lattice
 {
 public:
@@ -133,7 +135,7 @@ public:
     this->Top = this->Add(patch, facet.HullPoints);
   }
 
-  // \a order lists the local points from first to last.
+  // Returns the number of simplices. \a order contains the local point numbers from first to last.
   int CountPulling(const std::vector<int>& order) const
   {
     std::vector<int> known(this->Faces.size(), 0);
@@ -198,7 +200,8 @@ private:
   int Top = 0;
 };
 
-// All images of one facet, with the number of simplices of each image under each rule.
+// The images of one facet under all symmetries. Counts contains the number of simplices of each
+// image for each rule. Key and Points are the case and the points of the first facet.
 struct Orbit
 {
   std::uint32_t Key;
@@ -307,8 +310,8 @@ private:
     std::vector<int> order(orbit.Points.size());
     for (const Symmetry& symmetry : this->Symmetries)
     {
-      // Cutting the image of the facet in the fixed order is equivalent to cutting the facet in the
-      // preimage of the order.
+      // Triangulating the image of the facet in the fixed order is equivalent to triangulating the
+      // facet in the preimage of that order.
       for (std::size_t e = 0; e < ranks.size(); ++e)
       {
         ranks[e] = rule.Ranks[symmetry.Edge[e]];
@@ -337,7 +340,7 @@ private:
     {
       indexOf[this->Symmetries[g].Vertex] = g;
     }
-    // product[g * n + h] is the symmetry that applies g and then h.
+    // product[g * n + h] is the index of the symmetry that applies g and then h.
     std::vector<int> product(n * n);
     for (int g = 0; g < n; ++g)
     {

@@ -9,12 +9,12 @@
 
 /**
  * @class   HypercubeTable
- * @brief   counts over all 3^16 cases of the interval table of the four-dimensional cube
+ * @brief   counts the simplices in all 3^16 cases of the interval table of the 4D cube
  *
- * The 384 rotations and reflections of the cube reduce the cases to 132,102 classes; the patch is
+ * The 384 rotations and reflections of the cube reduce the cases to 132,102 classes. The patch is
  * computed for one case of each class. A triangulation in a fixed order is not symmetric, so
- * simplices are counted for each of the 384 images of the case. Each facet of a patch belongs to an
- * orbit of facets. Facets are triangulated once for each image in the orbit.
+ * simplices are counted for each of the 384 images of that case. The facets of all patches form
+ * orbits under the symmetries. Each image in an orbit is triangulated only once.
  */
 class HypercubeTable
 {
@@ -30,8 +30,8 @@ public:
     std::uint64_t CasesAtMaximum = 0;
   };
 
-  /// Rank of the point on each edge of the lifted cube, and the method that cuts facets in the
-  /// order of the ranks.
+  /// A triangulation method and the order of the points, given as the rank of the point on each
+  /// edge of the lifted cube.
   struct Rule
   {
     FacetTriangulation::Methods Method;
@@ -39,8 +39,8 @@ public:
   };
 
   /**
-   * Returns the statistics for each rule, over every \a stride-th class of cases. With stride 1,
-   * all classes are counted.
+   * Returns the statistics of each rule, for every \a stride-th class of cases. With stride 1, all
+   * classes are counted.
    */
   static std::vector<Statistics> Count(const std::vector<Rule>& rules, int stride);
 };

@@ -21,8 +21,8 @@ struct TableCase
 {
   const char* Name;
   Polytope Cell;
-  // Numbers in Table 3.2 of C. Zhang's dissertation, to two decimals, or 0 if the table has no row
-  // for the cell.
+  // Mean and maximum in table 3.2 of C. Zhang's dissertation (the mean to two decimals), or 0 if
+  // the table has no row for the cell.
   double StatedMean;
   int StatedMaximum;
 };
@@ -40,7 +40,7 @@ std::vector<TableCase> GetCases()
 const char* const HypercubeName = "hexahedron-time";
 const char* const AllCases = "all cases";
 
-// Returns the order of points in C. Zhang's dissertation, which is the order of the cell's edges.
+// Returns the ranks of the points in C. Zhang's dissertation, which are the indices of their edges.
 std::vector<int> GetSourceRanks(const Polytope& cell)
 {
   std::vector<int> ranks(cell.Prism().Edges.size());
@@ -48,7 +48,7 @@ std::vector<int> GetSourceRanks(const Polytope& cell)
   return ranks;
 }
 
-// Returns the order of points that the filters use on structured grids.
+// Returns the point ranks that the filters use on structured grids.
 std::vector<int> GetShippedRanks(const Polytope& cell)
 {
   const int n = static_cast<int>(cell.Vertices.size());
@@ -168,7 +168,8 @@ std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
     const bool hasAllCases = !row.Parameter.is_string() || row.Parameter == AllCases;
     if (row.Method == "source-order" && row.Counts.contains("stated_mean") && hasAllCases)
     {
-      // C. Zhang's dissertation truncates some numbers and rounds others.
+      // The tolerance is 0.01, since C. Zhang's dissertation truncates some numbers and rounds
+      // others.
       const double mean = row.Counts["mean"].get<double>();
       const bool met = std::abs(mean - row.Counts["stated_mean"].get<double>()) < 0.01 &&
         row.Counts["max"] == row.Counts["stated_max"];

@@ -14,7 +14,7 @@
 namespace
 {
 /// Returns the ray parameters at which a view ray enters and leaves the cube. The ray misses the
-/// cube if the first is not smaller than the second.
+/// cube if the first parameter is not smaller than the second.
 std::array<double, 2> Chord(const reference::Ray& ray, double low, double high)
 {
   double entry = 0.0;

@@ -11,8 +11,8 @@
 #include <functional>
 
 /**
- * Renders a field in the cube [low, high]^3 from its formula, without a mesh. Integrates in double
- * precision along each view ray, front to back, by the midpoint rule with \a steps steps.
+ * Renders a field in the cube [low, high]^3 from its formula, without a mesh. Integrates along each
+ * view ray in double precision, front to back, using the midpoint rule with \a steps steps.
  */
 reference::RgbaImage IntegrateField(const std::function<double(double, double, double)>& field,
   double low, double high, vtkVolumeProperty* property, vtkCamera* camera,

@@ -17,7 +17,7 @@ namespace
 const char* const Norm = "channel difference, mean";
 const char* const Average = ", average color";
 
-/// A mapper and the method of its rows.
+/// A mapper and the name of its method in rows.
 struct Method
 {
   std::string Name;
@@ -52,7 +52,7 @@ void AddResolutionRows(SharedStage& stage, int cubes, const reference::RgbaImage
     works.push_back(WithThreads(options.Threads, stage.FrameOf(method.Mapper)));
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
-  // Images are rendered by new mappers, each in a separate window.
+  // CaptureSeparately() requires mappers that have not rendered before.
   const std::vector<Method> fresh = MakeMethods(grid);
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
@@ -72,9 +72,9 @@ void AddResolutionRows(SharedStage& stage, int cubes, const reference::RgbaImage
 }
 
 /**
- * Compares images of meshes of several resolutions, rendered by every render path and by the
- * baseline, with an image of the field rendered without a mesh. The parameter is the number of
- * cubes along an edge.
+ * Measures errors of images of meshes at several resolutions, rendered by every render path and by
+ * the baseline. The reference is an image of the field rendered without a mesh. The parameter is
+ * the number of cubes along an edge of the mesh.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {

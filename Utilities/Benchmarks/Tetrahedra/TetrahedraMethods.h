@@ -16,12 +16,12 @@
  */
 namespace tetrahedra
 {
-/// Name of the baseline in every row.
+/// Name of the baseline of all rows.
 extern const char* const Baseline;
 
 struct RenderPath
 {
-  /// Name, used as the method of rows.
+  /// Name, stored as the method of rows.
   const char* Name;
   int Path;
 };
@@ -29,7 +29,7 @@ const std::vector<RenderPath>& AllRenderPaths();
 
 struct RenderMode
 {
-  /// Name, used as the parameter of rows.
+  /// Name, stored as the parameter of rows.
   const char* Name;
   int Blend;
   int Sort;
@@ -47,7 +47,8 @@ const RenderMode& GetDefaultMode();
 vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> NewMapper(
   vtkUnstructuredGrid* grid, const RenderPath& path, const RenderMode& mode);
 
-/// Adds counts of the last frame to \a row: tetrahedra, passes, sort, bytes.
+/// Adds the counts of the last frame, such as tetrahedra, passes and bytes, from \a report to
+/// \a row.
 void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 

@@ -19,44 +19,44 @@
  */
 namespace tetrahedra
 {
-/// Returns the field: the gyroid of AnalyticCases, with values from -1.5 to 1.5.
+/// Returns the value of the gyroid field at a point, from -1.5 to 1.5. See MakeAnalyticCases().
 double GetField(double x, double y, double z);
-/// The field is defined in the cube [Low, High]^3.
+/// Return the bounds of the cube [low, high]^3 in which the field is defined.
 double GetLow();
 double GetHigh();
 
 /**
- * Returns the field on cubes^3 cubes, each split into five tetrahedra. The cell array `IntervalId`
- * distinguishes four layers.
+ * Returns the field sampled on a grid of cubes^3 cubes, each split into five tetrahedra. The cell
+ * array `IntervalId` assigns the tetrahedra to four layers.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cubes);
 
 /**
- * Returns piecewise linear transfer functions, each with a node inside the scalar range. Opacities
- * are at most 1, so that vtkProjectedTetrahedraMapper supports them.
+ * Returns a property with piecewise linear transfer functions, each with a node inside the scalar
+ * range. Opacities are at most 1, so that vtkProjectedTetrahedraMapper supports them.
  */
 vtkSmartPointer<vtkVolumeProperty> MakeProperty();
 
 /**
- * Returns an oblique perspective view of the cube.
+ * Returns a perspective camera that looks at the cube at an oblique angle.
  */
 vtkSmartPointer<vtkCamera> MakeCamera();
 
 /**
- * A window shared by several mappers, so that all render in the same context.
+ * A window shared by several mappers, so that all of them render in the same OpenGL context.
  */
 class SharedStage
 {
 public:
   explicit SharedStage(int pixels);
 
-  /// Returns a function that renders one frame of a mapper and waits until it is complete. The
-  /// camera rotates by half a degree per frame. The mapper must outlive the function.
+  /// Returns a function that renders one frame with \a mapper and waits until the frame is
+  /// complete. The camera rotates by half a degree per frame. The mapper must outlive the function.
   BenchWork FrameOf(vtkUnstructuredGridVolumeMapper* mapper);
-  /// Returns the image of a mapper at the initial camera position, in floating point.
+  /// Returns the image of \a mapper at the initial camera position as floating-point values.
   reference::RgbaImage Capture(vtkUnstructuredGridVolumeMapper* mapper);
-  /// Returns the image that Capture() returns, but renders in a separate window. The mapper must
-  /// not have rendered before.
+  /// Returns the same image as Capture(), but renders it in a separate window. The mapper must not
+  /// have rendered before.
   reference::RgbaImage CaptureSeparately(vtkUnstructuredGridVolumeMapper* mapper) const;
 
   reference::VolumeStage& GetStage() { return this->Stage; }

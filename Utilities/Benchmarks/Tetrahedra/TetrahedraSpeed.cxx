@@ -80,8 +80,8 @@ bool IsOf(const BenchRow& row, const std::string& path, const std::string& mode)
   return IsSpeedRow(row) && row.Method == path && row.Parameter == mode;
 }
 
-/// Returns a function for claims. It returns the ratio of rows in the default mode of a render
-/// path, for cases with \a minimum to \a maximum tetrahedra.
+/// Returns a function for BenchClaim. For rows of a render path in its default mode with at least
+/// \a minimum and fewer than \a maximum tetrahedra, it returns BenchRow::GetRatio().
 std::function<std::optional<double>(const BenchRow&)> RatioOf(
   const std::string& path, double minimum, double maximum)
 {
@@ -114,8 +114,8 @@ BenchClaim IsFasterUnsorted(
 }
 
 /**
- * Measures the render paths, methods `opengl` and `software`, with a row for each blend and sort
- * mode. The baseline is `projectedtetrahedra`.
+ * Measures frame times of both render paths (methods `opengl` and `software`), with a row for each
+ * render mode. The baseline is `projectedtetrahedra`.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {

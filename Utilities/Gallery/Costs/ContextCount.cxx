@@ -15,7 +15,8 @@ namespace gallery
 {
 namespace
 {
-/// Upper bound on OpenGL names. Drivers number objects from 1 and reuse freed names first.
+/// Upper bound on the names of OpenGL objects. Drivers number objects from 1 and reuse freed names
+/// first.
 constexpr GLuint MAXIMUM_NAME = 20000;
 
 struct Target
@@ -57,8 +58,8 @@ vtkIdType GetLevelBytes(GLenum target, GLint level)
   return bits * size[0] * size[1] * size[2] / 8;
 }
 
-/// Returns the maximum number of levels of the bound texture. Drivers report an error if a level
-/// beyond their limit is queried.
+/// Returns the number of levels in a full mipmap chain of the bound texture. Higher levels must not
+/// be queried, since drivers report an error for levels beyond their limit.
 GLint GetNumberOfLevels(GLenum target)
 {
   std::array<GLint, 3> size = GetLevelSize(target, 0);
@@ -74,7 +75,7 @@ GLint GetNumberOfLevels(GLenum target)
   return levels;
 }
 
-/// Returns the bytes of a texture. Returns 0 for a buffer texture, whose storage is counted as a
+/// Returns the size of a texture in bytes, or 0 for a buffer texture, whose storage is counted as a
 /// buffer object.
 vtkIdType GetTextureBytes(GLuint texture)
 {
@@ -167,7 +168,8 @@ vtkIdType CountProgramWords(GLuint program)
 ContextCount CountContext(vtkRenderWindow* window)
 {
   window->MakeCurrent();
-  // Textures are tried with all targets, and binding to the wrong target is an expected error.
+  // Debug output is disabled, since GetTextureBytes() tries to bind a texture to all targets, and
+  // errors from wrong targets are expected.
   const bool reports = glIsEnabled(GL_DEBUG_OUTPUT) == GL_TRUE;
   glDisable(GL_DEBUG_OUTPUT);
   ContextCount count;

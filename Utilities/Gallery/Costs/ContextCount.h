@@ -9,15 +9,15 @@ class vtkRenderWindow;
 namespace gallery
 {
 /**
- * Resources of an OpenGL context. OpenGL is queried, so that the resources of all owners are
- * included.
+ * Resources of an OpenGL context. They are queried from OpenGL and thus include those created by
+ * VTK.
  */
 struct ContextCount
 {
-  /// Textures, render buffers and buffer objects, and the bytes of their storage.
+  /// Number of textures, renderbuffers and buffer objects, and their total size in bytes.
   int Buffers = 0;
   vtkIdType Bytes = 0;
-  /// Words (names, numbers and keywords) in the sources of all shaders of all programs.
+  /// Number of words (identifiers, keywords and numbers) in the GLSL code of all shader programs.
   vtkIdType Words = 0;
 };
 

@@ -13,7 +13,7 @@ namespace
 {
 ExecutionWatch* Current = nullptr;
 
-/// The default executive of algorithms, extended to report executions.
+/// The default executive of VTK, extended to report each execution.
 class WatchedPipeline : public vtkCompositeDataPipeline
 {
 public:

@@ -14,7 +14,7 @@ namespace gallery
  * @brief   records the VTK algorithms that execute
  *
  * Algorithms created during the lifetime of a watch get executives that report each execution to
- * the watch. Only one watch may exist at a time. Algorithms may outlive it.
+ * the watch. Only one watch may exist at a time. Algorithms may outlive the watch.
  */
 class ExecutionWatch
 {
@@ -24,7 +24,8 @@ public:
   ExecutionWatch(const ExecutionWatch&) = delete;
   void operator=(const ExecutionWatch&) = delete;
 
-  /// Returns the algorithms that have executed, each once, in the order of their first execution.
+  /// Returns the algorithms that have executed, without duplicates, in the order of their first
+  /// execution.
   const std::vector<vtkSmartPointer<vtkAlgorithm>>& GetAlgorithms() const
   {
     return this->Algorithms;

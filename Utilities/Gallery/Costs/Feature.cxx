@@ -43,7 +43,7 @@ bool HasBoundaries(vtkTimeVaryingIntervalVolume* filter)
   return isAny;
 }
 
-/// Adds features of the class Type. Each feature is described by functions of the class.
+/// Appends features of objects of class Type to a list of features.
 template <typename Type>
 class FeatureList
 {
@@ -54,8 +54,8 @@ public:
   {
   }
 
-  /// Adds a feature that is switched on by setting the value \a on. \a isOn returns true if it is
-  /// on.
+  /// Adds a feature that is switched on by passing \a on to the setter \a set. \a isOn returns true
+  /// if the feature is on. \a own is Feature::Own.
   template <typename IsOn, typename Get, typename Set, typename Own, typename Value>
   void AddIf(
     const char* name, const IsOn& isOn, const Get& get, const Set& set, const Own& own, Value on)
@@ -75,7 +75,7 @@ public:
     };
     this->Features.push_back(feature);
   }
-  /// Adds a feature that is on if the value of its setting differs from \a off.
+  /// Adds a feature that is on if the value returned by the getter \a get differs from \a off.
   template <typename Get, typename Set, typename Own, typename Value = bool>
   void Add(const char* name, Get get, Set set, const Own& own, Value on = true, Value off = false)
   {
@@ -122,7 +122,7 @@ void AddExtractions(std::vector<Feature>& features)
   FeatureList<InTime> inTime("vtkTimeVaryingIntervalVolume", features);
   inTime.Add("GenerateSimplices", &InTime::GetGenerateSimplices, &InTime::SetGenerateSimplices,
     [](InTime* filter) { return CountCells(filter, 2); });
-  // An empty list of boundary kinds turns the feature off.
+  // The feature is on if boundaries of any kind are generated.
   inTime.Add("GenerateBoundaries", &HasBoundaries, &InTime::SetGenerateBoundaries,
     [](InTime* filter) { return SumValues(filter->GetReport(), { "Boundaries" }); });
 }

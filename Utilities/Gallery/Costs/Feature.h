@@ -11,23 +11,25 @@ class vtkObject;
 namespace gallery
 {
 /**
- * An optional feature of an object that has a cost: an output, an array, a rendering mode.
+ * An optional feature of an object that costs time or memory, such as an output, an array or a
+ * rendering mode.
  */
 struct Feature
 {
-  /// The class of the object, and the name of the feature, usually the setting that controls it.
+  /// Class of the object, and name of the feature, which is usually the name of the setting that
+  /// controls it.
   std::string Class;
   std::string Name;
   /// Returns true if the last execution or rendering of the object used the feature.
   std::function<bool(vtkObject* object)> IsOn;
-  /// Returns the sum of those numbers in the object's report and outputs that are 0 while the
+  /// Returns the sum of those values in the object's report and outputs that must be 0 while the
   /// feature is off.
   std::function<double(vtkObject* object)> Own;
   /// Switches the feature on. Returns a function that restores the previous state.
   std::function<std::function<void()>(vtkObject* object)> SwitchOn;
 };
 
-/// Returns the features of filters, volume mappers and the pass of mixed scenes.
+/// Returns the features of filters, volume mappers and vtkShadowedScenePass.
 const std::vector<Feature>& AllFeatures();
 }
 

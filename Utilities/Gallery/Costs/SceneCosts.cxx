@@ -47,7 +47,7 @@ double GetSpread(const std::vector<double>& values)
   return Quantile(values, 0.75) - Quantile(values, 0.25);
 }
 
-/// Measures the processor time of all threads since construction.
+/// Measures the CPU time of all threads since construction.
 class ProcessorWatch
 {
 public:
@@ -66,7 +66,8 @@ struct Subject
   vtkObject* Object;
   /// Performs one run and returns its costs.
   std::function<Costs()> Run;
-  /// Prepares the runs of a state, so that all states start under the same conditions.
+  /// Called before the runs in each state of a feature (not yet switched on, on, off again), so
+  /// that all states start under the same conditions.
   std::function<void()> Begin;
 };
 
@@ -77,8 +78,8 @@ struct Pairs
   /// Times of the second subject.
   std::vector<double> Seconds;
 
-  /// Adds up to \a maximum pairs of runs within the time limit. The subjects take turns at running
-  /// first.
+  /// Adds up to \a maximum pairs of runs within the time limit, but at least two. The subjects take
+  /// turns at running first.
   void Add(const Subject& one, const Subject& other, const CostSettings& settings, int maximum)
   {
     const Stopwatch watch;
@@ -92,7 +93,7 @@ struct Pairs
   }
 };
 
-/// Measures features that are off and were not measured before.
+/// Measures each feature at the first object in which it is off.
 class Meter
 {
 public:
@@ -103,8 +104,9 @@ public:
 
   const std::vector<FeatureCosts>& Get() const { return this->Found; }
 
-  /// \a never is the counterpart of \a subject in the copy of the scene whose features are never
-  /// switched on. Its object is null if there is no counterpart.
+  /// Measures the features of \a subject. \a never is its counterpart in a copy of the scene in
+  /// which no feature is ever switched on. The object of \a never is null if there is no
+  /// counterpart.
   void Add(const Subject& subject, const Subject& never)
   {
     // Pairs of runs before any feature is switched on.
@@ -120,7 +122,7 @@ public:
         {
           never.Begin();
           subject.Begin();
-          // Two pairs are not evaluated; they only fill caches.
+          // Two warm-up pairs fill caches and are not evaluated.
           Pairs().Add(subject, never, this->Settings, 2);
           without.Add(subject, never, this->Settings, this->Settings.Pairs);
         }
@@ -162,7 +164,7 @@ private:
       }
       if (state == 2 && ExceedsNoise(pairs[2], without))
       {
-        // With more pairs, a true difference is distinguished from noise.
+        // More pairs are measured to distinguish a true difference from noise.
         pairs[state].Add(subject, never, this->Settings, 3 * this->Settings.Pairs);
       }
       *own[state] = feature.Own(subject.Object);
@@ -194,7 +196,7 @@ private:
   std::set<std::pair<std::string, std::string>> Measured;
 };
 
-/// Adds the arrays and bytes of a filter's outputs.
+/// Adds the number of arrays and the bytes of all outputs of \a filter to \a costs.
 void AddOutputs(vtkAlgorithm* filter, Costs& costs)
 {
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
@@ -261,7 +263,7 @@ double CountPasses(vtkRenderer* renderer)
   return passes;
 }
 
-/// A panel in a separate window. Begin() of its subjects opens a new window.
+/// A panel that is drawn in a separate window. Subject::Begin() opens a new window.
 class DrawnPanel
 {
 public:
@@ -299,9 +301,9 @@ private:
     return { object, [this]() { return this->Run(); },
       [this]()
       {
-        // Before it adopts the new state, a pass compiles the shaders of the previous state, and
-        // OpenGL retains them. Drawing in a separate window first keeps these shaders out of the
-        // measured window.
+        // In a new window, a pass first compiles the shaders of its previous state, and OpenGL
+        // retains them. Drawing in another window before keeps these shaders out of the measured
+        // window.
         this->Open();
         this->Drawn.DrawIn(this->Window);
         this->Open();
@@ -369,7 +371,7 @@ private:
   std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
 };
 
-/// Measures the features of \a subjects. Times are measured relative to the counterparts in
+/// Measures the features of \a subjects. Times are relative to those of the counterparts in
 /// \a never.
 void Add(Meter& meter, const std::vector<Subject>& subjects, const std::vector<Subject>& never)
 {

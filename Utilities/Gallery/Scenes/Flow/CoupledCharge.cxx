@@ -30,7 +30,7 @@ void Build(gallery::Stage& stage)
   source->SetCenter(-HALF_SEPARATION, 0.0, 0.0);
   source->SetRadius(RADIUS);
   source->SetAxis(1.0, 0.0, 0.0);
-  // Samples only one half of the domain, so that the cut shows the nested surfaces.
+  // Samples only the half y > 0, so that the nested surfaces appear cut open.
   const gallery::FlowGrid samples = { { 45, 31, 49 }, { -0.6, 0.6, 0.0, 0.67, -0.67, 0.67 } };
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
@@ -46,7 +46,7 @@ void Build(gallery::Stage& stage)
   filter->GenerateNormalsOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
-  // The surfaces have the colors of the volume.
+  // Each surface has the color of the volume at its inflow value.
   const vtkSmartPointer<vtkColorTransferFunction> map =
     gallery::MakeColorMap(gallery::Map::Viridis, 0.58, 0.0);
   values.push_back(0.0);

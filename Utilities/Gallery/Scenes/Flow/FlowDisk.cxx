@@ -24,7 +24,7 @@
 
 namespace
 {
-/// Dimensions of the vessel, whose axis is z. Gas enters at its top.
+/// Radius of the vessel, z of its lid, and radius of the disk. Gas enters through the lid.
 constexpr double RADIUS = 5.75;
 constexpr double TOP = 10.1;
 constexpr double DISK_RADIUS = 3.8;
@@ -39,7 +39,8 @@ constexpr double HOT = 913.0;
 /// Inflow value of the innermost surface.
 constexpr double INNERMOST = 0.25;
 
-/// Traces rings around the axis. The inflow value is the distance from the axis.
+/// Returns the flow sampled on rings around the axis. The inflow value is the distance from the
+/// axis divided by RADIUS.
 gallery::MappedFlow MakeFlow(vtkDataSet* disk)
 {
   disk->GetPointData()->SetActiveVectors("V");
@@ -57,16 +58,17 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   return { vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0)), mapping, lid, 1.0 };
 }
 
-/// Returns the stream surface that starts on a circle whose radius is \a inflow times RADIUS, where
-/// \a kept is positive. It shows streamlines and is colored by temperature.
+/// Returns the part of a stream surface where \a kept is positive, with streamlines and colored by
+/// temperature. The surface starts on a circle of radius \a inflow * RADIUS.
 vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
   vtkImplicitFunction* kept, vtkDataSet* disk, vtkColorTransferFunction* colors)
 {
-  // Streamlines have equal distances at the lid, 16 of them on the innermost surface.
+  // Number of streamlines on the innermost surface. Their spacing at the lid is the same on all
+  // surfaces.
   constexpr int lines = 16;
   flow.Length = 2.0 * vtkMath::Pi() * INNERMOST * RADIUS;
-  // The texture's seam starts at the silhouette of the innermost surface, and in the half of the
-  // others that is cut away.
+  // The seam of the texture is at the silhouette of the innermost surface. On the other surfaces,
+  // it is in the half that is cut away.
   const bool isInnermost = inflow == INNERMOST;
   flow.StartPoints = {
     { { isInnermost ? RADIUS : 0.0, isInnermost ? 0.5 * RADIUS : -RADIUS, TOP } }
@@ -82,10 +84,11 @@ vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
   probe->Update();
   surface->GetPointData()->AddArray(probe->GetOutput()->GetPointData()->GetArray("Temp"));
   vtkSmartPointer<vtkActor> actor = gallery::MakeColoredActor(surface, "Temp", colors);
-  // Bright enough inside the folds.
+  // Makes the inside of folds bright enough.
   actor->GetProperty()->SetAmbient(0.5);
   actor->GetProperty()->SetDiffuse(0.55);
-  // The texture can only be multiplied by vertex colors.
+  // The streamline texture multiplies vertex colors, but not colors that the mapper looks up in a
+  // texture.
   actor->GetMapper()->InterpolateScalarsBeforeMappingOff();
   const vtkSmartPointer<vtkStreamlineTexture> texture =
     gallery::MakeStreamlines(24, gallery::Ink(), lines);
@@ -98,12 +101,12 @@ void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkDataSet> disk = interlume::ReadData("disk_out_ref.vtu");
   const gallery::MappedFlow flow = MakeFlow(disk);
-  // Excludes the darkest colors, since they would hide the lines.
+  // The map starts below COLD, since its darkest colors would hide the lines.
   const vtkSmartPointer<vtkColorTransferFunction> colors =
     gallery::MakeColorMap(gallery::Map::Inferno, -100.0, HOT);
   gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, -0.4 }, { 1.0, 0.0, 0.0 });
   panel.SetAmbientOcclusion(0.0);
-  // The innermost surface ends at the disk. The others are cut in half.
+  // The innermost surface ends at the disk. The other two are cut in half.
   vtkNew<vtkPlane> above;
   above->SetNormal(0.0, 0.0, 1.0);
   vtkNew<vtkPlane> back;

@@ -32,14 +32,14 @@ namespace
 constexpr double RADIUS = 0.5;
 constexpr double HEIGHT = 3.0;
 
-/// The displayed region around the post, whose axis is z: its begin and end along the flow, and
-/// half its width.
+/// The displayed region around the post: x of its start and end, and half its width along y. The
+/// post's axis is z.
 constexpr double BEGIN = -2.4;
 constexpr double END = 3.1;
 constexpr double WIDTH = 1.9;
 
-/// Returns points on lines from the post to the sides of a box. They are denser near the post and
-/// near the plate.
+/// Returns points on lines from the post to the sides of a box. The points are denser near the post
+/// and near the plate.
 vtkSmartPointer<vtkStructuredGrid> MakeSamples()
 {
   constexpr int outward = 37;
@@ -70,8 +70,8 @@ vtkSmartPointer<vtkStructuredGrid> MakeSamples()
   return samples;
 }
 
-/// Reads the flow and merges the coincident points where the grid closes around the post, so that
-/// streamlines can pass.
+/// Reads the flow. Merges the coincident points where the grid closes around the post, so that
+/// streamlines can cross this seam.
 vtkSmartPointer<vtkAppendFilter> ReadFlow()
 {
   vtkSmartPointer<vtkDataSet> post = interlume::ReadData("post.vts");
@@ -81,14 +81,14 @@ vtkSmartPointer<vtkAppendFilter> ReadFlow()
   return joined;
 }
 
-/// Returns a rectangle in front of the post. \a width is half its width.
+/// Returns a rectangle upstream of the post. \a width is half its width.
 vtkSmartPointer<vtkTerminationPlane> MakeInflow(double width)
 {
   return gallery::MakeInflowPlane(
     { BEGIN, 0.0, 0.5 * HEIGHT }, { 0.0, width, 0.0 }, { 0.0, 0.0, 0.5 * HEIGHT });
 }
 
-/// Adds the post and a plate, whose \a margin is the distance of its edges from the region.
+/// Adds the post and a plate, which extends past the displayed region by \a margin.
 void AddPost(gallery::Panel& panel, double margin)
 {
   panel.Add(gallery::MakePillar(RADIUS, 0.0, 1.1 * HEIGHT, gallery::Pencil()));
@@ -128,7 +128,7 @@ void Build(gallery::Stage& stage)
   AddPost(panel, 0.3);
 }
 
-/// Returns the paint of disks in rows, each row of one color.
+/// Returns the color and opacity of a pattern of disks. Each row of disks has one color.
 gallery::Paint Disks(double u, double v)
 {
   const double across = 4.0 * u;
@@ -149,8 +149,8 @@ vtkSmartPointer<vtkPiecewiseFunction> MakeGate(const std::vector<std::array<doub
   return gate;
 }
 
-/// Adds a panel for each of two time gates. The first releases paint from a certain time on, the
-/// second in pulses.
+/// Adds two panels. Dye is released continuously from time 0 on in the first panel, and in pulses
+/// in the second.
 void BuildInflow(gallery::Stage& stage)
 {
   // Time in which the liquid passes through the displayed region, and number of pulses in that
@@ -191,7 +191,7 @@ void BuildInflow(gallery::Stage& stage)
     [mappers, setFraction](double fraction)
     {
       setFraction(fraction);
-      // Frames are rendered larger and averaged, so coarser sampling is sufficient.
+      // Animation frames are supersampled, so coarser image sampling is sufficient.
       mappers[0]->SetImageSampleDistance(2.0);
       mappers[1]->SetImageSampleDistance(2.0);
     });

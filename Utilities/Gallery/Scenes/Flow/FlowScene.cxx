@@ -33,7 +33,7 @@ namespace gallery
 {
 namespace
 {
-/// Returns a filter whose samples are not set yet.
+/// Returns a filter whose samples the caller must set.
 vtkSmartPointer<vtkImplicitFlowField> MakeFlowFilter(
   vtkAlgorithm* field, const std::vector<vtkTerminationSurface*>& surfaces, double time)
 {

@@ -29,7 +29,7 @@ class vtkVolume;
 namespace gallery
 {
 /**
- * Number of points along each axis, and bounds of a regular grid.
+ * A regular grid: number of points along each axis, and bounds.
  */
 struct FlowGrid
 {
@@ -38,7 +38,7 @@ struct FlowGrid
 };
 
 /**
- * Returns a field of vtkAnalyticFlowSource on a grid.
+ * Returns a source of the analytic flow \a field (see vtkAnalyticFlowSource::Fields) on \a grid.
  */
 vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGrid& grid);
 
@@ -47,29 +47,31 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGri
  */
 struct RingGrid
 {
-  /// Number of points outward, around and upward.
+  /// Number of points along the radius, around the axis, and along the axis.
   std::array<int, 3> Dimensions;
   /// z of the lowest and the highest ring.
   std::array<double, 2> Heights;
-  /// Angles of the first and the last point of a ring, counterclockwise from x, in turns.
+  /// Angles of the first and the last point of a ring, counterclockwise from the x axis. 1 is a
+  /// full turn.
   std::array<double, 2> Turns;
   /// Radius of a ring. \a outward is 0 for the innermost ring and 1 for the outermost ring.
   std::function<double(double outward, double z)> Radius;
 };
 
 /**
- * Returns a point on the axis of a hurricane or tornado.
+ * Returns the point at height \a z on the axis of a hurricane or tornado.
  */
 std::array<double, 3> GetVortexAxis(vtkAnalyticFlowSource* vortex, double z);
 
 /**
- * Returns rings around the axis of a hurricane or tornado, or around the z axis if it is null. They
- * follow the flow better than a regular grid, and the boundary of the samples is smooth.
+ * Returns rings around the axis of \a vortex, a hurricane or tornado, or around the z axis if
+ * \a vortex is null. The rings match the flow better than a regular grid, and the boundary of the
+ * samples is smooth.
  */
 vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* vortex, const RingGrid& grid);
 
 /**
- * Returns a hurricane around the z axis. It is as high as its grid.
+ * Returns a hurricane whose axis is z. The grid covers its full height.
  */
 vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane();
 
@@ -95,8 +97,8 @@ vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
 vtkSmartPointer<vtkDataSet> MapInflow(vtkDataSet* flow, const std::string& formula);
 
 /**
- * Returns a plane around a center. \a u and \a v are the vectors from the center to its edges, in
- * the directions of the parameters u and v.
+ * Returns a rectangle. \a u and \a v are the vectors from \a center to the midpoints of two edges,
+ * in the directions of the parameters u and v.
  */
 vtkSmartPointer<vtkTerminationPlane> MakeInflowPlane(const std::array<double, 3>& center,
   const std::array<double, 3>& u, const std::array<double, 3>& v);
@@ -106,7 +108,7 @@ constexpr int STREAM_SURFACES = 1;
 constexpr int TIME_SURFACES = 2;
 
 /**
- * Returns the stream surface or time surface of \a filter with this id. \a port selects the type.
+ * Returns the surface \a id of \a filter. \a port selects stream surfaces or time surfaces.
  */
 vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int port, int id);
 
@@ -123,7 +125,7 @@ vtkSmartPointer<vtkUnstructuredGrid> GetSmoothFlowSurface(vtkFlowVolume* filter,
 vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& color);
 
 /**
- * Returns an opaque actor with a texture at the active texture coordinates.
+ * Returns an opaque actor with \a texture, which uses the active texture coordinates of \a surface.
  */
 vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, vtkTexture* texture);
 
@@ -133,22 +135,19 @@ vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, vtkTexture
  */
 vtkSmartPointer<vtkActor> MakeTerminationActor(vtkTerminationSurface* surface, vtkTexture* texture);
 
-/**
- * Returns a sphere for orientation.
- */
 vtkSmartPointer<vtkActor> MakeSphere(
   const std::array<double, 3>& center, double radius, const vtkColor3d& color);
 
 /**
- * Returns an upright cylinder for orientation, around the z axis from \a bottom to \a top.
+ * Returns an upright cylinder around the z axis, from z = \a bottom to \a top.
  */
 vtkSmartPointer<vtkActor> MakePillar(
   double radius, double bottom, double top, const vtkColor3d& color);
 
 /**
- * Sets texture coordinates of stream surfaces for MakeStreamlineTexture(). The first is the
- * parameter \a component (0 for u, 1 for v) times \a lines. The second selects the color of the
- * surface: the center of one of \a number equal intervals between 0 and 1.
+ * Sets the texture coordinates that MakeStreamlineTexture() requires. The first is the parameter u
+ * (\a component 0) or v (\a component 1) times \a lines. The second selects one of \a number colors
+ * by the id of the stream surface.
  */
 void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number);
 

@@ -13,14 +13,15 @@ namespace gallery
 {
 namespace
 {
-/// Texels from one line to the next in a streamline texture, and along an edge of a grid texture.
+/// Distance between the lines of a streamline texture, and edge length of a grid texture, in
+/// texels.
 constexpr int LINE_PERIOD = 256;
 constexpr int SIZE = 1024;
 
 /// Width of a line as a fraction of the distance between lines.
 constexpr double LINE_WIDTH = 0.12;
 
-/// Returns 1 on lines at integers and 0 between them, with edges that are smooth over a pixel.
+/// Returns 1 on a line at each integer and 0 between lines, antialiased over the width \a pixel.
 double Line(double x, double pixel)
 {
   const double distance = std::abs(x - std::round(x)) - 0.5 * LINE_WIDTH;

@@ -14,8 +14,8 @@
 namespace gallery
 {
 /**
- * Returns a texture of \a cellsU x \a cellsV areas separated by lines, for texture coordinates from
- * 0 to 1.
+ * Returns a texture with a grid of \a cellsU x \a cellsV cells, for texture coordinates from 0 to
+ * 1. \a area is the color of the cells, \a line the color of the lines between them.
  */
 vtkSmartPointer<vtkTexture> MakeGridTexture(
   int cellsU, int cellsV, const vtkColor3d& area, const vtkColor3d& line);

@@ -28,22 +28,22 @@ namespace
 constexpr double EYE = 0.21;
 constexpr double TIME = 3.4;
 
-/// Height of the sea, and degrees per unit of length.
+/// z of the sea, and scales of the map in degrees per unit of length.
 constexpr double SEA = -0.5;
 constexpr double DEGREES_EAST = 8.75;
 constexpr double DEGREES_NORTH = 7.35;
 
-/// Longitude and latitude of the center, in degrees.
+/// Longitude and latitude of the point at x = y = 0, in degrees.
 constexpr double CENTER[2] = { -70.75, 30.5 };
 
-/// Bounds of the land in the file, in degrees.
+/// Bounds of the map, in degrees.
 constexpr double WEST = -91.5;
 constexpr double EAST = -53.5;
 constexpr double SOUTH = 16.7;
 constexpr double NORTH = 48.7;
 
-/// Returns the paint of eight spokes in four colors with soft edges, and of thinner white between
-/// them.
+/// Returns the color and opacity of eight spokes in four colors, which fade to less opaque white
+/// between them.
 gallery::Paint Spokes(double u, double v)
 {
   const double spoke = 8.0 * u - std::floor(8.0 * u) - 0.5;
@@ -58,7 +58,7 @@ gallery::Paint Spokes(double u, double v)
   return paint;
 }
 
-/// Returns the same paint on the upper half of the tube, where air leaves it.
+/// As above, but only on the upper half of the tube, where air leaves the tube.
 gallery::Paint UpperSpokes(double u, double v)
 {
   gallery::Paint paint = Spokes(u, v);
@@ -66,7 +66,7 @@ gallery::Paint UpperSpokes(double u, double v)
   return paint;
 }
 
-/// Returns a tube around the eye, which vtkVortexAxis finds.
+/// Returns a tube around the axis of the eye, which vtkVortexAxis finds.
 vtkSmartPointer<vtkTerminationTube> FindEye(vtkAlgorithm* hurricane)
 {
   vtkNew<vtkVortexAxis> axis;
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkTerminationTube> FindEye(vtkAlgorithm* hurricane)
   return eye;
 }
 
-/// Returns a surface whose points are in degrees as part of the map.
+/// Returns an actor for \a surface, whose points are longitudes and latitudes, at height \a z.
 vtkSmartPointer<vtkActor> MakeMapActor(vtkAlgorithm* surface, double z, const vtkColor3d& color)
 {
   vtkNew<vtkTransform> toMap;
@@ -111,14 +111,14 @@ void Build(gallery::Stage& stage)
   hurricane->SetAxisTilt(0.2, 0.1);
   hurricane->SetAxisBend(0.06, -0.04);
   const vtkSmartPointer<vtkTerminationTube> eye = FindEye(hurricane);
-  // Only air in the upper half has passed the tube.
+  // Only air in the upper half comes from the tube.
   const gallery::FlowGrid samples = { { 81, 81, 37 }, { -1.1, 1.1, -1.1, 1.1, -0.08, 0.48 } };
   const vtkSmartPointer<vtkDataSet> flow =
     gallery::MakeImplicitFlow(hurricane, { eye }, samples, 1.1 * TIME);
   const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &UpperSpokes);
-  // The dye is released for a limited time and fades at its front. The front is round and remains
-  // within the samples, whose boundary is square. At the tube, cells with both sides of it are only
-  // accurate to their size, so the dye begins a little later.
+  // The dye is released for a limited time and fades out at its front, so that the front is round
+  // and stays within the samples, whose boundary is square. The dye also fades in at the tube,
+  // since cells that straddle the tube are inaccurate.
   vtkNew<vtkPiecewiseFunction> front;
   front->AddPoint(0.0, 0.0);
   front->AddPoint(0.35, 1.0);

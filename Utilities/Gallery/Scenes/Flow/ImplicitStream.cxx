@@ -22,17 +22,18 @@ constexpr double GROUND = -0.8;
 /// Half the edge length of the square on the ground.
 constexpr double HALF_SIZE = 0.95;
 
-/// Levels of the star: the radius of its contour where the cosine is zero.
+/// Contour levels that bound the star. A level is the radius of its contour where the cosine in the
+/// formula is 0.
 constexpr double INNER = 0.3;
 constexpr double OUTER = 0.6;
 
-/// Returns the ratio of the radius of a streamline at a height to its radius on the ground.
+/// Returns the radius of a streamline at height \a z divided by its radius on the ground.
 double Narrow(double z)
 {
   return std::sqrt((GROUND + 1.0) / (z + 1.0));
 }
 
-/// Returns the paint of the star on the ground.
+/// Returns the color and opacity of the star on the ground.
 gallery::Paint Star(double u, double v)
 {
   const double x = u - 0.5;
@@ -49,7 +50,8 @@ void Build(gallery::Stage& stage)
   tornado->SetCirculation(1.2);
   const vtkSmartPointer<vtkTerminationPlane> ground = gallery::MakeInflowPlane(
     gallery::GetVortexAxis(tornado, GROUND), { HALF_SIZE, 0.0, 0.0 }, { 0.0, HALF_SIZE, 0.0 });
-  // The rings become narrower with the flow, so that each one resolves the star equally well.
+  // The rings narrow like the streamlines, so that the star is resolved equally well at all
+  // heights.
   const vtkSmartPointer<vtkStructuredGrid> samples = gallery::MakeRings(tornado,
     { { 25, 145, 49 }, { GROUND, 1.0 }, { 0.25, 1.25 },
       [](double outward, double z) { return (0.2 + 0.68 * outward) * Narrow(z); } });
@@ -75,7 +77,7 @@ void Build(gallery::Stage& stage)
   for (gallery::Panel* panel : { &surface, &volume })
   {
     panel->Add(gallery::MakeTerminationActor(ground, star));
-    // Its noise would show on the ground.
+    // Ambient occlusion would add noise to the ground.
     panel->SetAmbientOcclusion(0.0);
   }
 }

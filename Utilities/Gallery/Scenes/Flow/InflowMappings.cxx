@@ -21,7 +21,7 @@ namespace
 {
 constexpr int SIZE = 256;
 
-/// Returns the strength, 0 to 1, of a brush stroke, a spiral.
+/// Returns the strength of a spiral brush stroke, 0 to 1.
 double Paint(double u, double v)
 {
   const double x = u - 0.5;

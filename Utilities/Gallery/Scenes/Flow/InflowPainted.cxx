@@ -29,14 +29,15 @@ vtkSmartPointer<vtkDataSet> MakeUpdraft(
   return gallery::MakeImplicitFlow(updraft, { plane }, samples);
 }
 
-/// Returns a rectangle at the bottom of the updraft. The arguments are half its size.
+/// Returns a rectangle at the bottom of the updraft. \a width and \a depth are half its edge
+/// lengths.
 vtkSmartPointer<vtkTerminationPlane> MakePlane(double width, double depth)
 {
   return gallery::MakeInflowPlane({ 0.0, 0.0, 0.4 }, { width, 0.0, 0.0 }, { 0.0, depth, 0.0 });
 }
 
-/// Returns a time gate with a pulse at the start of each period. \a half is half its length in
-/// periods, and \a low the opacity between pulses.
+/// Returns a time gate with a pulse at the start of each period. \a half is half the length of the
+/// pulse as a fraction of the period, and \a low is the opacity between pulses.
 vtkSmartPointer<vtkPiecewiseFunction> MakePulses(double half, double low)
 {
   auto gate = vtkSmartPointer<vtkPiecewiseFunction>::New();
@@ -47,7 +48,7 @@ vtkSmartPointer<vtkPiecewiseFunction> MakePulses(double half, double low)
   return gate;
 }
 
-/// Paints a word on the inflow. Pulses of dense dye carry copies of it upward.
+/// Paints a word on the inflow plane. Pulses of dense dye carry copies of the word upward.
 void BuildPainted(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkImageData> image =
@@ -67,7 +68,7 @@ void BuildPainted(gallery::Stage& stage)
   panel.Frame(vtkBoundingBox(-0.86, 0.86, -0.46, 0.46, 0.4, 1.15));
 }
 
-/// Returns a map of the Earth as paint, in which land is denser than water.
+/// Returns the colors of a map of the Earth, with higher opacity for land than for water.
 vtkSmartPointer<vtkImageData> MakeMapPaint(vtkImageData* earth)
 {
   int size[3];
@@ -86,7 +87,7 @@ vtkSmartPointer<vtkImageData> MakeMapPaint(vtkImageData* earth)
     });
 }
 
-/// Blows the colors of a globe away.
+/// Shows a globe whose colors the wind carries away.
 void BuildImage(gallery::Stage& stage)
 {
   constexpr double time = 1.6;
@@ -123,7 +124,7 @@ void BuildImage(gallery::Stage& stage)
   panel.Frame(vtkBoundingBox(-0.52, 1.95, -0.1, 0.1, -0.55, 0.55));
 }
 
-/// Paints colored blobs, small dots released in pulses, and both combined.
+/// Adds panels of colored blobs, of small dots released in pulses, and of both combined.
 void BuildDual(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkImageData> broad = gallery::MakePaint(256, 256,

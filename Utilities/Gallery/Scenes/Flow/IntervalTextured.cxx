@@ -9,7 +9,7 @@
 
 namespace
 {
-/// Advection time at which the flow is cut off, below the straight tube.
+/// Maximum advection time. It cuts off the upper part of the flow, a straight tube.
 constexpr double END = 5.0;
 
 void Build(gallery::Stage& stage)

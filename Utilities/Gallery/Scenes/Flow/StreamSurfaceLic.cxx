@@ -20,7 +20,7 @@ namespace
 {
 constexpr double Radius = 0.4;
 
-/// Returns the samples of the flow. The inflow value is the distance from the axis.
+/// Returns the flow, sampled on an image. The inflow value is the distance from the x axis.
 vtkSmartPointer<vtkDataSet> MakeFlow(vtkAnalyticFlowSource* source)
 {
   vtkNew<vtkTerminationPlane> plane;

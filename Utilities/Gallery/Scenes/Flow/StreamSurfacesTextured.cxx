@@ -13,11 +13,11 @@ namespace
 constexpr double INNER = 0.05;
 constexpr double OUTER = 0.13;
 
-/// Advection time at the lower edge of the surfaces, and time of LINES timelines.
+/// Advection time at the lower edge of the surfaces, and advection time covered by LINES timelines.
 constexpr double START = 0.45;
 constexpr double PERIOD = 8.0;
 
-/// This number of lines fits everywhere on the surfaces, so that none ends.
+/// Few enough lines to fit everywhere on the surfaces, so that no line ends on them.
 constexpr int LINES = 32;
 
 void Build(gallery::Stage& stage)
@@ -39,7 +39,7 @@ void Build(gallery::Stage& stage)
   nested.Add(open);
   nested.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, INNER, START, 5.5, PERIOD),
     gallery::IntervalColor(1), nullptr, gallery::MakeTimelines(16, gallery::Ink(), LINES)));
-  // The volume between the surfaces shows where the outer one is cut away.
+  // The volume between the surfaces is visible where the outer one is cut away.
   nested.Add(gallery::MakeVolumeOfIntervals(
     gallery::MakeStreamVolume(flow.Samples, INNER, OUTER, START, 3.9),
     { { gallery::IntervalColor(0), 1.2 } }));

@@ -22,14 +22,14 @@
 
 namespace
 {
-/// Radius of the marked line as a fraction of the size of the view.
+/// Radius of the marked line, for a view of size 1.
 constexpr double LINE_RADIUS = 0.016;
 
 /// Direction from which the camera looks.
 const vtkVector3d FROM(0.4, -1.0, 0.5);
 
-/// Returns the line of constant arc length that is nearest to \a point among the lines of all
-/// levels of the texture down to eight lines.
+/// Returns the line of constant arc length that is nearest to \a point, among the lines that all
+/// mipmap levels with at least eight lines share.
 vtkSmartPointer<vtkPolyData> FindLine(vtkPolyData* surface, double point[3])
 {
   vtkDataArray* coordinates = surface->GetPointData()->GetTCoords();
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> FindLine(vtkPolyData* surface, double point[3])
   line->SetValue(0, std::round(8.0 * arcLength->GetValue(scalars->FindPoint(point))) / 8.0);
   vtkNew<vtkStripper> stripper;
   stripper->SetInputConnection(line->GetOutputPort());
-  // The line has a corner at each edge of a triangle.
+  // Smooths the corners of the line at the edges of triangles.
   vtkNew<vtkSmoothPolyDataFilter> smooth;
   smooth->SetInputConnection(stripper->GetOutputPort());
   smooth->SetNumberOfIterations(40);
@@ -64,8 +64,8 @@ vtkSmartPointer<vtkActor> MakeTube(vtkPolyData* line, double radius)
   return gallery::MakeActor(tube->GetOutput(), { 1.0, 0.84, 0.3 });
 }
 
-/// Cuts the actor off at the left and right edges of the box as seen from FROM, so that adjacent
-/// panels do not run into each other.
+/// Clips the actor at the left and right edges of \a box as seen from FROM, so that the images in
+/// adjacent panels do not touch.
 void CutSides(vtkActor* actor, const vtkBoundingBox& box)
 {
   double center[3];
@@ -107,7 +107,7 @@ void Build(gallery::Stage& stage)
   {
     gallery::Panel& panel = stage.AddPanel(view.Caption);
     panel.LookFrom(FROM, { 0.0, 0.0, 1.0 });
-    // Its noise would show in the closer views.
+    // Ambient occlusion would add noise to the closer views.
     panel.SetAmbientOcclusion(0.0);
     const vtkSmartPointer<vtkActor> actors[] = { gallery::MakeLinedActor(surface,
                                                    gallery::IntervalColor(0), lines, nullptr),

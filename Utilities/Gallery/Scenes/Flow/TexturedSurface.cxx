@@ -111,8 +111,8 @@ vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d
 vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& color,
   vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
 {
-  // The color of the actor is white and the texture provides the color of the surface, so that the
-  // color of lines does not depend on it.
+  // The actor is white and the texture provides the color of the surface, so that this color does
+  // not tint the lines.
   vtkSmartPointer<vtkActor> actor = MakeActor(surface, { 1.0, 1.0, 1.0 });
   vtkStreamlineTexture* below = streamlines ? streamlines : timelines;
   below->SetBackgroundColor(color[0], color[1], color[2], 1.0);

@@ -28,9 +28,9 @@ struct MappedFlow
   vtkSmartPointer<vtkDataSet> Samples;
   vtkSmartPointer<vtkInflowMapping> Mapping;
   vtkSmartPointer<vtkTerminationSurface> Surface;
-  /// Circumference of the surface.
+  /// Arc length at which the first texture coordinate is 1, for example a circumference.
   double Length;
-  /// Points nearest to which the arc length starts. Without them the start is arbitrary.
+  /// The arc length starts near these points. If there are none, its start is arbitrary.
   std::vector<std::array<double, 3>> StartPoints = {};
 };
 
@@ -41,14 +41,15 @@ struct MappedFlow
 MappedFlow MakeTornado(double time);
 
 /**
- * Returns the stream surface at this inflow value, between the advection times \a start and \a end.
+ * Returns the stream surface with inflow value \a inflow, between the advection times \a start and
+ * \a end.
  */
 vtkSmartPointer<vtkPolyData> MakeStreamSurface(
   vtkDataSet* samples, double inflow, double start, double end);
 
 /**
- * As above, with texture coordinates: the arc length along the inflow curve divided by the
- * circumference, and the advection time divided by \a period.
+ * As above, with texture coordinates: the arc length along the inflow curve divided by
+ * MappedFlow::Length, and the advection time divided by \a period.
  */
 vtkSmartPointer<vtkPolyData> MakeTexturedSurface(
   const MappedFlow& flow, double inflow, double start, double end, double period);
@@ -61,8 +62,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
 
 /**
  * Return textures of streamlines (lines of constant arc length) and of timelines (lines of constant
- * time). \a texels is the smallest distance between lines in pixels of the supersampled image.
- * \a lines, a power of two, is the largest number of lines in a unit of the texture coordinate.
+ * time). \a texels is the approximate distance between lines in pixels of the supersampled image.
+ * \a lines, a power of two, is the maximum number of lines per unit of the texture coordinate.
  */
 vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(
   int texels, const vtkColor3d& color, int lines = 128);
@@ -77,7 +78,7 @@ vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d&
   vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines);
 
 /**
- * Clips the actor by the plane through the origin with this normal.
+ * Clips the actor with the plane through the origin whose normal is \a normal.
  */
 void CutOpen(vtkActor* actor, const std::array<double, 3>& normal);
 }

@@ -17,8 +17,7 @@ namespace
 const vtkColor3d VOLUME = gallery::IntervalColor(0);
 constexpr int OUTER_SURFACE = 2;
 
-/// Extracts the volume with the surfaces that \a filter defines. Adds a panel with the volume and
-/// the time surfaces from \a first to \a last.
+/// Runs \a filter. Adds a panel with its volume and its time surfaces with ids \a first to \a last.
 gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* inflow,
   const char* caption, int first, int last)
 {

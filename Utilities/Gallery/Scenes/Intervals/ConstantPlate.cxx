@@ -25,12 +25,12 @@ namespace
 {
 constexpr int CELLS = 8;
 
-/// Half the height of the measured view, in cells. It is less than half the height of the plate, so
-/// that the plate covers all pixels.
+/// Half the height of the region that MeasureDeviation() renders, in cells. It is less than half
+/// the height of the plate, so that the plate covers all pixels.
 constexpr double MEASURED = 0.48 * CELLS;
 
-/// Renders the plate from the front in parallel projection and floating point, and returns the
-/// standard deviation of the opacity over all pixels.
+/// Renders the plate from the front in parallel projection, and returns the standard deviation of
+/// the opacity over all pixels.
 double MeasureDeviation(vtkVolume* plate)
 {
   vtkNew<vtkCamera> camera;
@@ -60,7 +60,7 @@ double MeasureDeviation(vtkVolume* plate)
   return std::sqrt(std::max(squares / pixels - mean * mean, 0.0));
 }
 
-/// Formats a deviation. The few digits do not depend on the OpenGL driver.
+/// Formats \a deviation with few digits, so that the text does not depend on the OpenGL driver.
 std::string ToText(double deviation)
 {
   std::array<char, 64> text;
@@ -75,7 +75,8 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(interval, reference::MakeHypercubePlate(CELLS, 2, 1.0, true));
 
-  // The extinction is chosen so that the mean opacity is about the same as with the time extent.
+  // With this extinction, the mean opacity without weighting by duration is about the same as with
+  // it.
   vtkSmartPointer<vtkVolume> without =
     gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.22 } });
   gallery::GetMapper(without)->SetDeltaTArrayName("");

@@ -71,8 +71,7 @@ void Build(gallery::Stage& stage)
   second.Add(gallery::MakeVolumeOfIntervals(rich, { none, { blue, 0.25 } }));
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(overlapping->GetOutput(),
     { { amber, 0.1 }, { blue, 0.1 }, { gallery::IntervalColor(1), 0.3 } });
-  // Overlapping tetrahedra have no visibility order, so the blend mode must not depend on the
-  // order.
+  // Overlapping tetrahedra have no visibility order. This blend mode does not need one.
   gallery::GetMapper(volume)->SetBlendModeToOpticalDepth();
   both.Add(volume);
 }

@@ -29,7 +29,8 @@ void Build(gallery::Stage& stage)
       vtkBoundingBox(-1.3, 1.1, -1.35, 0.95, -0.06, 1.36), 125);
   vtkSmartPointer<vtkSpatialPrimitive> box =
     gallery::MakeBox({ -0.64, -0.5, 0.0 }, { 0.64, 0.5, 1.12 }, ice);
-  // With the large surface gradient below, the box is not shaded as a surface.
+  // With this edge width, the density changes by less than the surface gradient passed to
+  // AddSoftPair(), so the box is not shaded as a surface.
   box->SetEdgeWidth(0.04);
   gallery::AddSmoke(image, box, 0.2, ice);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMediumInSmoke(image, 0.013);

@@ -25,18 +25,19 @@ enum class Scattering
   FULL
 };
 
-/// Returns clouds within \a bounds, sampled with \a cells cells along the longest edge. The phase
-/// function approximates that of water droplets. \a extinction is the extinction per unit of length
-/// at the center of a cloud.
+/// Returns a volume of \a clouds within \a bounds, sampled with \a cells cells along the longest
+/// edge. The phase function approximates that of water droplets. \a extinction is the extinction
+/// per unit of length at the center of a cloud.
 vtkSmartPointer<vtkVolume> MakeCloudVolume(vtkSpatialObject* clouds,
   const std::array<double, 6>& bounds, int cells, Scattering scattering, double extinction = 34.0);
 
 /// Sets scattering with a Henyey-Greenstein phase function in a volume created by
-/// MakeSlicedVolume(). \a cells is the number of cells of scattered light along the longest edge.
+/// MakeSlicedVolume(). \a cells is the number of cells of the scattering grid along its longest
+/// edge.
 void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy, int cells = 64);
 
-/// Sets the lights of the panel to sunlight from direction \a sun and weak blue light from above,
-/// and its background to a sky. \a exposure scales both lights.
+/// Lights the panel with sunlight from direction \a sun and weak blue light from above, both scaled
+/// by \a exposure, and sets its background to a sky gradient.
 void UseSky(Panel& panel, const vtkVector3d& sun, double exposure = 1.0);
 }
 

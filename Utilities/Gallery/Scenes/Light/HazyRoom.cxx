@@ -14,10 +14,10 @@ namespace gallery
 {
 namespace
 {
-/// The density to which the opacity of MakeSolidMediumInSmoke() applies.
+/// Smoke density that has the given opacity in MakeSolidMediumInSmoke().
 constexpr double SMOKE_DENSITY = 60.0 / 255.0;
 
-/// Scales \a object, tilts it backward by \a tilt degrees, rotates it around the vertical by
+/// Scales \a object, tilts it backward by \a tilt degrees, rotates it around the z axis by
 /// \a degrees, and moves it by \a offset.
 vtkSmartPointer<vtkSpatialObject> Arrange(vtkSmartPointer<vtkSpatialObject> object,
   const vtkVector3d& offset, double degrees, double tilt, double scale)
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkImageData> SampleRoom()
 Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& inside, double opacity,
   const Lights& lights)
 {
-  // The density of the smoke is far below the density of solids, so smoke does not affect their
-  // normals. It is constant, because eight bits have only a few levels for such a thin medium.
+  // The smoke is much less dense than solids, so it does not affect their normals. It is
+  // homogeneous, since 8-bit densities have too few levels for variations of such thin smoke.
   constexpr double density = 12.0 / 255.0;
   vtkVector3d lower;
   vtkVector3d upper;
@@ -61,7 +61,7 @@ Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& insi
     MakeSolidMediumInSmoke(room, SMOKE_DENSITY / density * opacity);
   medium->SetAmbient(0.1);
   vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(room, medium, SMOKE_GRADIENT);
-  // The medium fills the whole volume, so large light buffers are slow.
+  // The medium fills the whole volume, so a larger light buffer would be slow.
   GetSlicedMapper(volume)->SetLightBufferSize(512);
   Panel& panel = stage.AddPanel("");
   panel.Add(volume);

@@ -10,7 +10,7 @@ class Panel;
 class Stage;
 
 /**
- * Adds a panel of \a room, a `Color` image of Sample(), on a dark background. Thin smoke within
+ * Adds a panel of \a room, an image created by Sample(), on a dark background. Thin smoke within
  * \a inside makes light beams visible. \a opacity is the opacity of the smoke per voxel.
  */
 Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& inside, double opacity,

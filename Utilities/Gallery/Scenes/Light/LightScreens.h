@@ -21,8 +21,8 @@ class Stage;
 
 /**
  * Returns an RGB image (unsigned char) of width x height samples. \a pattern is a function of u and
- * v, which range from 0 to 1 from the lower left corner. Each sample is the mean of the pattern
- * over the area of the sample.
+ * v, which range from 0 to 1, with the origin at the lower left corner. Each sample is the mean of
+ * the pattern over the area of the sample.
  */
 vtkSmartPointer<vtkImageData> MakePattern(
   int width, int height, const std::function<vtkColor3d(double, double)>& pattern);
@@ -48,16 +48,16 @@ vtkSmartPointer<vtkProjectiveLight> MakeParallelProjector(const vtkVector3d& pos
   const vtkVector3d& center, double width, double height, double intensity,
   vtkImageData* image = nullptr);
 
-/// Returns a directional light from direction \a from that casts no shadows, so that shapes in
-/// shadow remain visible.
+/// Returns a directional light that shines from direction \a from without casting shadows, so that
+/// shapes in shadow remain visible.
 vtkSmartPointer<vtkLight> MakeFillLight(const vtkVector3d& from, double intensity);
 
-/// Returns parallel light in a round beam with a soft edge.
+/// Returns a parallel light whose beam is round and has a soft edge.
 vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const vtkVector3d& center,
   double diameter, double intensity, const vtkColor3d& color);
 
 /**
- * Adds a panel of the solid medium in \a image, lit by \a light and by a weak light from the right.
+ * Adds a panel of \a image as a solid medium, lit by \a light and by a weak light from the right.
  */
 Panel& AddPatternPanel(Stage& stage, vtkImageData* image, vtkProjectiveLight* light);
 }

@@ -41,7 +41,8 @@ constexpr double TO_OCCLUDER = 1.6;
 constexpr double TO_RECEIVER = 0.9;
 constexpr double HALF_OCCLUDER = 0.55;
 
-/// Returns the end of the light that \a side (-1 or 1) selects. The occluder is at height 0.
+/// Returns the left (\a side = -1) or right (\a side = 1) end of the light, which is tilted by
+/// \a degrees. The occluder is at height 0.
 Point2 GetEnd(double degrees, double side)
 {
   const double angle = vtkMath::RadiansFromDegrees(degrees);
@@ -49,8 +50,8 @@ Point2 GetEnd(double degrees, double side)
     TO_OCCLUDER + 0.5 * side * LIGHT * std::sin(angle) } };
 }
 
-/// Returns the intersection of the receiver and the ray from an end of the light through the
-/// occluder's edge.
+/// Returns the x coordinate at which the ray from \a end through the occluder's edge reaches the
+/// receiver.
 double GetFoot(const Point2& end, double edge)
 {
   return edge + (edge - end[0]) * TO_RECEIVER / end[1];
@@ -61,8 +62,8 @@ double GetExactWidth(double degrees, double edge)
   return std::abs(GetFoot(GetEnd(degrees, -1.0), edge) - GetFoot(GetEnd(degrees, 1.0), edge));
 }
 
-/// Returns the penumbra width of equation 2.14, which projects the light orthogonally onto the
-/// slices.
+/// Returns the penumbra width by equation 2.14 of the dissertation, which projects the light
+/// orthogonally onto the slices.
 double GetVirtualWidth(double degrees)
 {
   return LIGHT * std::cos(vtkMath::RadiansFromDegrees(degrees)) * TO_RECEIVER / TO_OCCLUDER;
@@ -252,7 +253,7 @@ void DrawAngles(gallery::Panel& panel)
   drawing.AddText("left edge", toChart(18.0, 0.29), 0.20, true);
 }
 
-/// Returns the penumbra width of a half plane in an image, divided by the exact width.
+/// Renders the shadow of a half plane, and returns its penumbra width divided by the exact width.
 double MeasureWidth(reference::VolumeStage& stage, double ratio, int method)
 {
   constexpr double exact = 0.2;
@@ -270,8 +271,8 @@ double MeasureWidth(reference::VolumeStage& stage, double ratio, int method)
   return width / exact;
 }
 
-/// Plots penumbra widths in images, divided by the exact widths, for distance ratios from 0.05 to
-/// 5.
+/// Plots penumbra widths measured in images, divided by the exact widths, for distance ratios from
+/// 0.05 to 5.
 void DrawMeasured(gallery::Panel& panel)
 {
   Drawing drawing(panel);

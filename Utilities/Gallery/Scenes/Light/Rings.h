@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * Returns a `Color` image of Sample(): six tori threaded on a seventh torus, above a disk of radius
- * 1.25 whose upper side is at z = 0.
+ * Returns an image created by Sample(): six tori threaded on a seventh torus, above a disk of
+ * radius 1.25 whose upper side is at z = 0.
  */
 vtkSmartPointer<vtkImageData> SampleRings();
 }

@@ -37,7 +37,7 @@ void Build(gallery::Stage& stage)
     panel->Frame(vtkBoundingBox(-0.8, 0.66, -0.1, 0.1, -0.42, 1.25));
     gallery::UseBackdrop(*panel, { 0.62, 0.64, 0.70 }, { 0.16, 0.18, 0.24 });
   }
-  two.LookAs(one);
+  two.ShareCamera(one);
   one.LookFrom({ 0.1, -1.0, 0.7 }, { 0.0, 0.0, 1.0 });
 }
 

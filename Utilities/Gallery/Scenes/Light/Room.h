@@ -15,7 +15,7 @@ namespace gallery
 vtkSmartPointer<vtkSpatialObject> MakeRoom();
 
 /**
- * Returns a `Color` image of Sample() with \a resolution points along the longest side: the room
+ * Returns an image created by Sample(), with \a resolution points along the longest side: the room
  * with a robot, rings that lean on the wall, and a cloud of smoke. Densities below a quarter of the
  * maximum are smoke.
  */

@@ -17,8 +17,8 @@
 
 namespace
 {
-/// Coverage by the letters of a rendered word, as a function of position. Coordinates range from 0
-/// to 1 along the width and height of the word.
+/// Coverage of a rendered word, 0 to 1, as a function of position. Coordinates range from 0 to 1
+/// along the width and height of the word.
 class Word
 {
 public:

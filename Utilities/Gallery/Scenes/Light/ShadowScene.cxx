@@ -32,8 +32,8 @@ namespace
 /// Intensity of the fill light divided by the intensity of the key light.
 constexpr double FILL_FRACTION = 0.25;
 
-/// If there is smoke, the densities of solids, 0 to 255, are stretched so that this value becomes 0
-/// and 255 minus this value becomes 255.
+/// Mix() stretches the densities of solids (0 to 255) so that this value becomes 0, and 255 minus
+/// this value becomes 255.
 constexpr double LOWEST_EDGE = 30.0;
 
 /// Opacity of a voxel inside a solid.
@@ -101,8 +101,7 @@ vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* image)
   return bytes->GetOutput();
 }
 
-/// Returns the maximum of the 5 x 5 x 5 samples around each sample. Each axis is processed
-/// separately.
+/// Returns an image in which each sample is the maximum of the 5 x 5 x 5 samples around it.
 vtkSmartPointer<vtkImageData> LargestAround(vtkImageData* image)
 {
   vtkSmartPointer<vtkImageData> largest = image;
@@ -119,7 +118,7 @@ vtkSmartPointer<vtkImageData> LargestAround(vtkImageData* image)
   return largest;
 }
 
-/// Adds smoke where \a image has a lower density. Remaps densities so that the soft edges of solids
+/// Adds smoke where it is denser than \a image. Remaps densities so that the soft edges of solids
 /// remain outside the range of smoke.
 void Mix(vtkImageData* image, const vtkBoundingBox& box, vtkImageData* smoke, double fraction,
   const vtkColor3d& color)
@@ -341,8 +340,8 @@ vtkSmartPointer<vtkVolume> MakeSlicedVolume(
   mapper->SetSurfaceGradient(surfaceGradient);
   // The light buffer is finer than the volume, to avoid aliasing patterns on lit surfaces.
   mapper->SetLightBufferSize(768);
-  // Images have several samples per pixel. For volumes with soft edges, half as many in each
-  // direction are sufficient.
+  // Gallery images are supersampled. Volumes with soft edges need only half as many samples in each
+  // direction.
   mapper->SetImageSampleDistance(2.0);
   auto volume = vtkSmartPointer<vtkVolume>::New();
   volume->SetMapper(mapper);
@@ -391,7 +390,7 @@ Lights MakeStudioLights(const vtkVector3d& position, double intensity)
 void ShadowPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) const
 {
   this->Without.LookFrom(from, { 0.0, 0.0, 1.0 });
-  this->With.LookAs(this->Without);
+  this->With.ShareCamera(this->Without);
   this->Without.Frame(frame);
   this->With.Frame(frame);
 }

@@ -35,7 +35,7 @@ using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 ///@{
 /**
  * MakeBox() returns a box from \a lower to \a upper. MakeDisk() returns a disk of \a thickness
- * whose upper side is centered at \a top, a ground that receives shadows.
+ * whose upper side is centered at \a top, for use as the ground.
  */
 vtkSmartPointer<vtkSpatialPrimitive> MakeBox(
   const vtkVector3d& lower, const vtkVector3d& upper, const vtkColor3d& color);
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeDisk(
   const vtkVector3d& top, double radius, double thickness, const vtkColor3d& color);
 ///@}
 
-/// Returns the color of the ground and of walls.
+/// Returns a color for the ground and walls.
 vtkColor3d Plaster();
 
 /// Returns a floor whose upper side is at \a height and that extends past the sides of every
@@ -53,8 +53,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeFloor(const vtkColor3d& color, double h
 /// Sets the background to a vertical gradient from \a lower to \a upper.
 void UseBackdrop(Panel& panel, const vtkColor3d& lower, const vtkColor3d& upper);
 
-/// Returns a copy of \a object, rotated by \a degrees around the z axis and then moved by
-/// \a offset.
+/// Returns \a object, rotated by \a degrees around the z axis and then moved by \a offset.
 vtkSmartPointer<vtkSpatialObject> Place(
   vtkSpatialObject* object, const vtkVector3d& offset, double degrees = 0.0);
 
@@ -67,8 +66,8 @@ vtkSmartPointer<vtkSpatialObject> Unite(
 constexpr double EDGE_WIDTH = 0.02;
 
 /**
- * Sets the edge width of all primitives in \a object. With soft edges, normals do not show the
- * sampling grid. Returns \a object.
+ * Sets the edge width of all primitives in \a object, and returns \a object. Soft edges prevent
+ * artifacts of the sampling grid in normals.
  */
 vtkSmartPointer<vtkSpatialObject> Soften(vtkSpatialObject* object, double width = EDGE_WIDTH);
 
@@ -82,18 +81,18 @@ vtkSmartPointer<vtkImageData> Sample(
 
 /**
  * Returns the scalars of \a image as an object. The density rises from 0 to 1 for scalars from
- * \a lower to \a upper, so that the surface is at the mean of both. Each sample has the color of
- * the maximum scalar within a distance of two samples, so that the edge of an object has the color
- * of its interior.
+ * \a lower to \a upper, so the surface is halfway between them. Each sample has the color of the
+ * maximum scalar within a distance of two samples, so that the edge of an object has the color of
+ * its interior.
  */
 vtkSmartPointer<vtkSpatialImage> MakeImageObject(
   vtkImageData* image, double lower, double upper, vtkColorTransferFunction* colors);
 
 ///@{
 /**
- * Add smoke to the array `Color` of \a image where the smoke is denser than the image. The density
- * of the smoke is first multiplied by \a fraction. The grid of a turbulence source is set to the
- * grid of the image; its smoke fills \a box, or the whole image if \a box is invalid.
+ * Add \a smoke to the array `Color` of \a image wherever the smoke is denser than the image. The
+ * density of the smoke is first multiplied by \a fraction. The first overload sets the grid of
+ * \a smoke to that of \a image, and adds smoke only in \a box, or everywhere if \a box is invalid.
  */
 void AddSmoke(vtkImageData* image, vtkTurbulenceSource* smoke, double fraction,
   const vtkColor3d& color, const vtkBoundingBox& box = vtkBoundingBox());
@@ -103,18 +102,17 @@ void AddSmoke(
 
 ///@{
 /**
- * Return a shaded medium for images of Sample(). \a unit is the distance to which \a opacity refers
- * in MakeColoredMedium(). In the other two media, densities above one half are solid and opaque
- * within a voxel. In MakeSolidMediumInSmoke(), densities up to a quarter are smoke, with \a opacity
- * per voxel at a quarter.
+ * Return a shaded medium for images created by Sample(). In MakeColoredMedium(), \a opacity is a
+ * function of density (0 to 255), per distance \a unit. In the other two functions, densities above
+ * one half are solid and opaque within a voxel. In MakeSolidMediumInSmoke(), densities up to one
+ * quarter are smoke, and \a opacity is the opacity per voxel at a density of one quarter.
  */
 vtkSmartPointer<vtkVolumeProperty> MakeColoredMedium(vtkPiecewiseFunction* opacity, double unit);
 vtkSmartPointer<vtkVolumeProperty> MakeSolidMedium(vtkImageData* image);
 vtkSmartPointer<vtkVolumeProperty> MakeSolidMediumInSmoke(vtkImageData* image, double opacity);
 ///@}
 
-/// Gradient above which a medium that contains smoke is shaded as a surface, see
-/// vtkShadowedSliceMapper::SetSurfaceGradient.
+/// Surface gradient for media that contain smoke, see vtkShadowedSliceMapper::SetSurfaceGradient.
 constexpr double SMOKE_GRADIENT = 0.03;
 
 /**
@@ -150,7 +148,7 @@ vtkSmartPointer<vtkLight> MakeParallelLight(const vtkVector3d& from, double inte
  */
 Lights MakeStudioLights(const vtkVector3d& position, double intensity = 1.0);
 
-/// A pair of panels without and with shadows.
+/// Two panels of the same volume, without and with shadows.
 struct ShadowPair
 {
   Panel& Without;

@@ -47,8 +47,8 @@ SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* prope
     vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, property, surfaceGradient);
     if (panel == &soft)
     {
-      // Soft shadows need few texels, but so many light samples that no steps between them are
-      // visible.
+      // Soft shadows need fewer texels than hard shadows, but enough light samples to avoid visible
+      // steps.
       GetSlicedMapper(volume)->SetLightBufferSize(lightBuffer);
       GetSlicedMapper(volume)->SetNumberOfLightSamples(24);
     }

@@ -14,7 +14,7 @@ namespace gallery
  */
 Lights MakeRoundLights(const Lights& lights, double diameter);
 
-/// A pair of panels with hard and with soft shadows.
+/// Two panels of the same volume, with hard and with soft shadows.
 struct SoftPair
 {
   Panel& Hard;
@@ -30,7 +30,8 @@ struct SoftPair
 /**
  * Adds two panels of \a image, one lit by \a lights, the other by disk lights of \a diameter at the
  * positions of shadow-casting lights. SoftPair::Look() gives them a common camera. \a lightBuffer
- * is the size of the light buffers of disk lights. Flat and steep surfaces need larger buffers.
+ * is the size of the light buffers of disk lights. Flat surfaces, and surfaces at grazing angles to
+ * the light, need larger buffers.
  */
 SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double diameter, double surfaceGradient = 0.0, int lightBuffer = 320);

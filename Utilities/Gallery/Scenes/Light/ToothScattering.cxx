@@ -47,7 +47,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeMedium()
 
 void Build(gallery::Stage& stage)
 {
-  // Without smoothing, the rings of the scan would be visible.
+  // Without smoothing, ring artifacts of the scan would be visible.
   vtkNew<vtkImageGaussianSmooth> smooth;
   smooth->SetInputDataObject(interlume::ReadData("tooth.vti"));
   smooth->SetStandardDeviations(1.2, 1.2, 2.5);
@@ -79,7 +79,7 @@ void Build(gallery::Stage& stage)
   without.Frame(frame);
   with.Frame(frame);
   without.LookFrom({ 0.25, -1.0, 0.25 }, { 0.0, 0.0, 1.0 });
-  with.LookAs(without);
+  with.ShareCamera(without);
 }
 
 const gallery::SceneRegistration registration({ "tooth-scattering", "2.53",

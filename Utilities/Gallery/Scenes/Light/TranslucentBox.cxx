@@ -39,7 +39,7 @@ struct TranslucentBox
   vtkVector3d Lengths;
   /// Length of the air along x.
   double AirLength;
-  /// Rotation around the vertical.
+  /// Rotation around the z axis.
   double Degrees;
   /// Extinctions per unit of length.
   double Extinction;
@@ -83,8 +83,8 @@ vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degree
   return actor;
 }
 
-/// Adds two panels of \a box, which is centered at the origin: without and with attenuation of
-/// \a beams. The air fills most of a volume of 3 x 1.4 x 2 units.
+/// Adds two panels of \a box, which is centered at the origin and lit by \a beams: without and with
+/// attenuation of the light.
 ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Lights& beams)
 {
   vtkSmartPointer<vtkImageData> image = SampleBox(box);
@@ -101,7 +101,7 @@ ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Ligh
   Panel& with = stage.AddPanel("with attenuation");
   for (Panel* panel : { &without, &with })
   {
-    // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
+    // The maximum surface gradient makes scattering nearly isotropic, so that edges are not shaded.
     vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, medium, 1.0);
     // The beams are narrow, so a small light buffer is sufficient.
     GetSlicedMapper(volume)->SetLightBufferSize(128);
@@ -212,7 +212,7 @@ void BuildBeamSoft(gallery::Stage& stage)
   medium->SetSpecular(0.0);
   vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 18.0);
   lamp->SetDiffuseColor(1.0, 0.86, 0.6);
-  // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
+  // The maximum surface gradient makes scattering nearly isotropic, so that edges are not shaded.
   gallery::SoftPair pair = gallery::AddSoftPair(stage, image, medium, { lamp }, 0.4, 1.0, 192);
   pair.UseBackdrop({ 0.13, 0.16, 0.20 }, { 0.04, 0.05, 0.07 });
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
@@ -224,7 +224,7 @@ void BuildBeamSoft(gallery::Stage& stage)
     frame->SetPosition(POSITION[0], POSITION[1], POSITION[2]);
     panel->Add(frame);
   }
-  // With thicker slices, the edges of the hard beams would show each slice.
+  // With thicker slices, individual slices would be visible at the edges of the hard beams.
   vtkShadowedSliceMapper* hard = gallery::GetSlicedMapper(
     vtkVolume::SafeDownCast(pair.Hard.GetRenderer()->GetVolumes()->GetItemAsObject(0)));
   hard->SetSliceSpacing(0.2 * image->GetSpacing()[0]);

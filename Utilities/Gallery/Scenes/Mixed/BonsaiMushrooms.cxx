@@ -36,15 +36,15 @@ vtkSmartPointer<vtkImageData> SampleTreeOnFloor()
     vtkBoundingBox(-1.3, 1.3, -0.85, 0.95, -0.04, 1.08), 280, 0.5);
 }
 
-/// Returns the tree without a floor, for use with a polygonal ground. On a floor in the volume,
-/// steps between light samples and between voxels would be visible under an area light.
+/// Returns the tree without a floor, for use with a polygonal ground. Under an area light, a floor
+/// in the volume would show steps between light samples and between voxels.
 vtkSmartPointer<vtkImageData> SampleTree(int resolution)
 {
   return gallery::Sample(
     gallery::MakeBonsai(), vtkBoundingBox(-0.62, 0.62, -0.62, 0.62, -0.03, 1.1), resolution, 0.5);
 }
 
-/// Adds the mushrooms to the bonsai of a panel, with mutual shadows.
+/// Adds the mushrooms to a panel that shows the bonsai, with mutual shadows.
 void AddMushrooms(gallery::Panel& panel)
 {
   gallery::AddModel(panel, MakeMushrooms(), gallery::EDGE_GAIN);
@@ -86,7 +86,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& soft = AddSoftPanel(stage, "with soft shadows", image, lights, 0.7);
   gallery::AddGround(soft, ground, 1.4, gallery::EDGE_GAIN, GROUND);
   gallery::UseBackdrop(soft, { 0.86, 0.88, 0.82 }, { 0.48, 0.58, 0.52 });
-  soft.LookAs(pair.Without);
+  soft.ShareCamera(pair.Without);
   soft.Frame(frame);
 }
 

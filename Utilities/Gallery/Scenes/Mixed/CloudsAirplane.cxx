@@ -12,7 +12,7 @@
 
 namespace
 {
-/// Returns a flat layer of clouds, on which a shadow keeps its shape.
+/// Returns a layer of clouds so flat that the shadow on it keeps its shape.
 vtkSmartPointer<vtkSpatialObject> MakeLayer()
 {
   vtkSmartPointer<vtkSpatialPrimitive> slab =
@@ -36,8 +36,8 @@ void Build(gallery::Stage& stage)
     { { { -1.25, -0.5, 0.0 } }, 0.5, 0.8, 0.3, 9, 13 },
   };
   gallery::Panel& panel = stage.AddPanel("", { 0.12, -1.0, 0.62 });
-  // The scattered light would blur the shadow in thinner clouds. The clouds are white up to their
-  // edges because their droplets scatter less light forward than real droplets.
+  // In thinner clouds, scattered light would blur the shadow. The anisotropy is lower than that of
+  // real droplets, so that the clouds are white up to their edges.
   vtkSmartPointer<vtkVolume> volume =
     gallery::MakeCloudVolume(gallery::Unite({ interlume::MakeClouds(heaps), MakeLayer() }),
       { { -2.0, 2.2, -1.2, 1.9, -0.1, 0.8 } }, 240, gallery::Scattering::FULL, 70.0);

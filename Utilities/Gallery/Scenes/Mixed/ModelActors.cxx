@@ -25,7 +25,7 @@ void AddModel(Panel& panel, const interlume::Model& model, double gain, double a
     actor->SetMapper(mapper);
     vtkProperty* property = actor->GetProperty();
     property->SetColor(part.Color[0], part.Color[1], part.Color[2]);
-    // The default value of \a ambient is the ambient coefficient of volumes.
+    // By default, \a ambient is the same as for volumes.
     property->SetAmbient(ambient);
     property->SetDiffuse(0.8 / gain);
     property->SetSpecular(part.Gloss / gain);

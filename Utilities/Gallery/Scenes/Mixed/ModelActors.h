@@ -11,9 +11,9 @@ namespace gallery
 {
 class Panel;
 
-/// Adds an actor for each part of a model. \a gain is the factor by which lights are stronger
-/// because of the soft edges of volumes (EDGE_GAIN, or 1). Polygons have hard edges, so their
-/// reflection is divided by \a gain. \a ambient is the ambient coefficient.
+/// Adds an actor for each part of a model. Diffuse and specular reflection are divided by \a gain.
+/// Use EDGE_GAIN if the lights are intensified for the soft edges of volumes, since polygons have
+/// hard edges. \a ambient is the ambient coefficient.
 void AddModel(
   Panel& panel, const interlume::Model& model, double gain = 1.0, double ambient = 0.25);
 
@@ -25,8 +25,8 @@ void UseSceneShadows(Panel& panel, int samples = 16);
 /// seams around surfaces.
 void UseFullResolution(Panel& panel);
 
-/// Adds a polygonal disk whose upper side is centered at \a top, as a ground that receives shadows.
-/// For \a gain, see AddModel().
+/// Adds a polygonal disk as the ground. Its upper side is centered at \a top. For \a gain, see
+/// AddModel().
 void AddGround(Panel& panel, const interlume::Position3& top, double radius, double gain = 1.0,
   const interlume::Position3& color = { { 0.90, 0.88, 0.84 } });
 }

@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> SampleGround()
   return gallery::Sample(ground, vtkBoundingBox(-1.95, 1.9, -1.35, 1.25, -0.12, 0.08), 300, 0.8);
 }
 
-/// Adds the mushrooms and the ground in \a image, with mutual shadows.
+/// Adds the polygonal mushrooms and the ground, a volume in \a image, with mutual shadows.
 void AddMushrooms(
   gallery::Panel& panel, vtkImageData* image, const gallery::Lights& lights, int samples)
 {

@@ -26,7 +26,7 @@ void Build(gallery::Stage& stage)
   medium->SetDiffuse(0.95);
   medium->SetSpecular(0.0);
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
-  // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
+  // The maximum surface gradient makes scattering nearly isotropic, so that edges are not shaded.
   panel.Add(gallery::MakeSlicedVolume(image, medium, 1.0));
   gallery::AddModel(panel,
     interlume::Move(interlume::MakeTeapot(), { { 0.0, 0.0, 0.005 } }, { { 0.0, 0.0, 12.0 } }));

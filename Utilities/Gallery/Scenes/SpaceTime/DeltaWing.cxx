@@ -47,8 +47,8 @@ vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices(int steps)
   return vortices;
 }
 
-/// Returns the wing under the vortices of MakeDeltaWingVortices(), from its apex at the origin to x
-/// = 1.
+/// Returns the wing under the vortices of MakeDeltaWingVortices(). It extends from its apex at the
+/// origin to x = 1.
 vtkSmartPointer<vtkActor> MakeDeltaWing(const vtkColor3d& color)
 {
   vtkNew<vtkDeltaWingSource> vortices;

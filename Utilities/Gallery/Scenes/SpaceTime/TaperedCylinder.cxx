@@ -26,7 +26,8 @@ using namespace gallery;
 constexpr double LOWER = 0.97;
 constexpr double UPPER = 0.994;
 
-/// Returns the wake of a tapered cylinder from time 0 to \a end, up to a distance from its axis.
+/// Returns the wake of a tapered cylinder from time 0 to \a end, up to \a distance from the
+/// cylinder's axis.
 vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake(double end, int steps, double distance)
 {
   auto wake = vtkSmartPointer<vtkTaperedCylinderSource>::New();
@@ -83,7 +84,7 @@ void BuildTimePriority(gallery::Stage& stage)
   gallery::Panel& later = stage.AddPanel("time 0.6 over time 0");
   gallery::Panel& earlier = stage.AddPanel("time 0 over time 0.6");
   LookAtWake(later);
-  earlier.LookAs(later);
+  earlier.ShareCamera(later);
   const vtkColor3d yellow = gallery::IntervalColor(2);
   const vtkColor3d red = gallery::IntervalColor(3);
   for (gallery::Panel* panel : { &later, &earlier })

@@ -22,12 +22,12 @@
 
 namespace
 {
-/// Returns the edges of the mug, for orientation.
+/// Returns the sharp edges of the mug.
 vtkSmartPointer<vtkActor> MakeEdges(vtkUnstructuredGrid* mug)
 {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(gallery::MakeSurface(mug));
-  // MakeSurface() duplicates points at sharp edges, so that they are boundary edges.
+  // MakeSurface() duplicates points at sharp edges, so these are boundary edges.
   edges->FeatureEdgesOff();
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();

@@ -26,7 +26,7 @@
 
 namespace
 {
-/// Returns the unit gradient of \a field, in the direction away from its zero surface.
+/// Returns the unit gradient of \a field, oriented away from its zero isosurface.
 vtkVector3d GetNormal(const vtkAnalyticFieldSource* field, const vtkVector3d& at, double time)
 {
   vtkVector3d point = at;
@@ -42,8 +42,8 @@ vtkVector3d GetNormal(const vtkAnalyticFieldSource* field, const vtkVector3d& at
   return normal.Normalized();
 }
 
-/// Returns the side of \a bounds, 0 to 3 for the sides along x and y, in which all \a corners lie,
-/// or -1.
+/// Returns the side of \a bounds that contains all \a corners: 0 or 1 (perpendicular to x), 2 or 3
+/// (perpendicular to y), or -1 if there is none.
 int FindSide(const double bounds[6], const std::array<vtkVector3d, 3>& corners)
 {
   for (int side = 0; side < 4; ++side)
@@ -58,8 +58,9 @@ int FindSide(const double bounds[6], const std::array<vtkVector3d, 3>& corners)
   return -1;
 }
 
-/// Returns a slice as triangles with the normals of the field, except on the sides along x and y,
-/// where the sheet is cut off. Normals of the triangles would be noisy, since some are very thin.
+/// Returns the triangles of \a slice with normals of \a field, since normals of the very thin
+/// triangles would be noisy. Where the sheet is cut off at the bounds along x and y, triangles have
+/// the normals of the bounds.
 vtkSmartPointer<vtkPolyData> ShadeByField(
   vtkPolyData* slice, const vtkAnalyticFieldSource* field, double time)
 {
@@ -104,7 +105,7 @@ void Build(gallery::Stage& stage)
     "time step 0.5" } };
   vtkNew<vtkAnalyticFieldSource> wave;
   wave->SetFieldToWave();
-  // The wave is linear in z and changes slowly along y.
+  // The wave is linear in z and changes slowly along y, so it needs many points only along x.
   wave->SetDimensions(320, 12, 8);
   wave->SetBounds(-3.4, 3.4, -0.65, 0.65, -0.7, 0.7);
   wave->SetTimeRange(times.front(), times.back());

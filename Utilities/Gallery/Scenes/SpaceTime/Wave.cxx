@@ -22,10 +22,10 @@ namespace
 {
 using namespace gallery;
 
-/// Returns the test function of the dissertation, a traveling wave, from time 0 to 1 and from x =
-/// -reach to reach. It is linear in z and changes slowly along y, so it needs many points along x
-/// only. With fewer, the diagonals of 4-simplices would show as teeth, whose size is the spacing
-/// times the change between steps.
+/// Returns the test function of the dissertation, a traveling wave, for times from 0 to 1 and x
+/// from -\a reach to \a reach. It is linear in z and changes slowly along y, so it needs many
+/// points only along x. With fewer, the diagonals of 4-simplices would cause sawtooth artifacts,
+/// whose size is proportional to the spacing and to the change between time steps.
 vtkSmartPointer<vtkAnalyticFieldSource> MakeWave(int steps, double reach)
 {
   auto wave = vtkSmartPointer<vtkAnalyticFieldSource>::New();
