@@ -178,8 +178,8 @@ public:
    * - CellsWithoutResult: cells with a corner whose streamline reached no surface,
    * - CellsBetweenSurfaces: cells whose corners' streamlines reached different surfaces,
    * - CellsOnSeams: cells on a seam where the mapping is discontinuous,
-   * - CellsAcrossSurfaces: cells crossed by the surface that their streamlines reach, so that time
-   *   jumps,
+   * - CellsAcrossSurfaces: cells in which time is discontinuous because they are crossed by the
+   *   surface that their streamlines reach,
    * - CellsWithTimeJumps: other cells in which time changes by more than MaximumTimeJump,
    * - CellsCut: cells counted as CellsWithoutResult, CellsBetweenSurfaces or CellsAcrossSurfaces
    *   that were cut at a surface instead of skipped,

@@ -161,9 +161,9 @@ public:
 
   ///@{
   /**
-   * Number of points of the image of SAMPLES_OF_IMAGE along each axis, and its bounds in world
-   * units. Empty bounds (lower above upper) select the bounds of the field. Default: 64, 64, 64;
-   * empty. Valid dimensions: 1 to 100000; clamped.
+   * Dimensions (number of points along each axis) of the sample image for SAMPLES_OF_IMAGE, and its
+   * bounds in world units. Empty bounds (lower above upper) select the bounds of the field.
+   * Default: 64, 64, 64; empty. Valid dimensions: 1 to 100000; clamped.
    */
   void SetSampleDimensions(int x, int y, int z);
   vtkGetVector3Macro(SampleDimensions, int);

@@ -246,7 +246,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   if (slice.InvalidCell >= 0)
   {
     vtkErrorMacro("Cell " << slice.InvalidCell
-                          << " is not a 4-simplex, a VTK_POLY_VERTEX of five points: it has type "
+                          << " is not a 4-simplex (a VTK_POLY_VERTEX of five points): it has type "
                           << input->GetCellType(slice.InvalidCell) << " and "
                           << input->GetCells()->GetCellSize(slice.InvalidCell) << " points.");
     empty.NoteMessage();

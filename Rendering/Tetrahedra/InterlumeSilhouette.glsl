@@ -276,8 +276,8 @@ vec2 widen(vec2 before, vec2 corner, vec2 after, float margin)
   return corner + margin * (first + second) / max(1.0 + dot(first, second), 0.02);
 }
 
-// Three or four corners of the silhouette as a triangle strip, in pixels. If there are four, the
-// last three form the second half of the silhouette, which has its own planes.
+// Three or four corners of the silhouette as a triangle strip, in pixels. Four corners form two
+// triangles, each with its own planes (see Shape).
 vec2 strip[4];
 // c: the corners in the order of the silhouette. base, other: the values at the thick point on the
 // base side and on the other side. difference: the difference of their depths.

@@ -483,8 +483,8 @@ private:
       { static_cast<double>(this->Options.MaximumNumberOfSteps), this->Options.MaximumTime });
   }
 
-  /// Passes the step, up to \a end, to the recurrence test, with the distances to everything that
-  /// could end the streamline.
+  /// Records the step, up to \a end, in the recurrence test, with the distance to the nearest
+  /// surface and the maximum drift, which depends on domain faces.
   void WatchReturn(double end)
   {
     double p[3];

@@ -75,7 +75,7 @@ public:
   }
 
   /// IsAffine returns true if dx/dp is constant in the cell. GetLongestWorldVector returns an upper
-  /// bound of the length in world space of changes of p between -d and d, anywhere in the cell.
+  /// bound on the length of w from GetWorldVector(p, e, w), for p in the cell and |e[i]| <= d[i].
   bool IsAffine() const { return this->Form != CURVED; }
   double GetLongestWorldVector(const double d[3]) const;
 

@@ -35,8 +35,8 @@ namespace interlume
  * - `void GetWorldVector(const double p[3], const double d[3], double w[3]) const`: first-order
  *   change of x if p changes by d. For d from GetVelocity it returns v.
  * - `bool IsAffine() const`: whether GetWorldVector is independent of p. Otherwise, `double
- *   GetLongestWorldVector(const double d[3]) const` returns an upper bound of the length of this
- *   vector in the cell, for changes of p between -d and d, d >= 0.
+ *   GetLongestWorldVector(const double d[3]) const` returns an upper bound on the length of this
+ *   vector in the cell if each p[i] changes by at most d[i].
  * - `void GetVelocityGradient(const double p[3], double gradient[9]) const`: dv[i]/dx[j] at [3 * i
  *   + j], for vorticity.
  * - `int GetNumberOfFaces() const`, at most 6, and `double GetFaceDistance(int face, const double

@@ -53,10 +53,11 @@ public:
   /// them.
   bool HasSides() const { return this->Sides && this->Times; }
   /**
-   * Returns true if AdvectionTime is discontinuous within a cell whose corners all have the same
-   * id. On one side of the surface, the time approaches 0: streamlines start toward the surface, or
-   * a corner lies on it. On the other side, some streamlines start away from the surface and return
-   * later. If all start toward the surface, the time approaches 0 on both sides and is continuous.
+   * For a cell whose corners all reach the same surface: returns true if this surface crosses the
+   * cell and AdvectionTime is discontinuous there. On one side of the surface, the time approaches
+   * 0: streamlines start toward the surface, or a corner lies on it. On the other side, some
+   * streamlines start away from the surface and return later. If all start toward the surface, the
+   * time approaches 0 on both sides and is continuous.
    */
   template <typename Ids>
   bool IsAcrossSurface(const Ids* corners, vtkIdType number) const

@@ -487,7 +487,7 @@ private:
     }
   }
 
-  /// Messages to send and counters of one thread.
+  /// One thread's outgoing messages and counters.
   struct Done
   {
     Outbox Sent;

@@ -20,9 +20,10 @@ struct FlowVolumeReport
   vtkIdType CellsWithoutResult = 0;
   vtkIdType CellsBetweenSurfaces = 0;
   vtkIdType CellsOnSeams = 0;
-  /// Numbers of cells crossed by the surface that their streamlines reach, so that time is
-  /// discontinuous, and of other cells in which time differs by more than MaximumTimeJump.
+  /// Number of cells in which time is discontinuous because they are crossed by the surface that
+  /// their streamlines reach.
   vtkIdType CellsAcrossSurfaces = 0;
+  /// Number of other cells in which time changes by more than MaximumTimeJump.
   vtkIdType CellsWithTimeJumps = 0;
   /// Number of cells that were cut at a surface and not skipped. They also count as
   /// CellsWithoutResult, CellsBetweenSurfaces or CellsAcrossSurfaces.

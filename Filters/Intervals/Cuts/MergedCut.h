@@ -40,8 +40,8 @@ public:
   /// that represents its point.
   static bool IsNeeded(const vtkIsotable::Case& what, const Slot* same);
 
-  /// Cuts case \a what of \a table in the order of \a ranks. Adds boundary triangles only if \a
-  /// hasSides is true.
+  /// Triangulates case \a what of \a table, with the points ordered by \a ranks. Adds boundary
+  /// triangles only if \a hasSides is true.
   void Make(const vtkIsotable& table, const Item& item, const Code* codes,
     const vtkIsotable::Case& what, const vtkIsotable::RankArray& ranks, const Slot* same,
     bool hasSides);

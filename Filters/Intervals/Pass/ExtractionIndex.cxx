@@ -25,8 +25,8 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// Extends a range to a finite value. Converting a 64-bit integer to double may round it, but never
-// past an isovalue, since isovalues are doubles.
+// Extends a range to include a value if it is finite. Converting a 64-bit integer to double may
+// round it, but never past an isovalue, since isovalues are doubles.
 template <typename T>
 void Extend(std::array<double, 2>& range, T value)
 {

@@ -38,9 +38,9 @@ public:
     int Kind;
   };
 
-  /// Cuts case \a what in the order of \a ranks. \a same maps each slot to the slot that represents
-  /// its point. \a inside is the case with all corners inside the interval. If \a hasSides is
-  /// false, boundary cells are not computed.
+  /// Triangulates case \a what, with the points ordered by \a ranks. \a same maps each slot to the
+  /// slot that represents its point. \a inside is the case with all corners inside the interval. If
+  /// \a hasSides is false, boundary cells are not computed.
   void Compute(const SpaceTimeTable& table, const SpaceTimeSlots& slots, const Item& item,
     const Code* codes, const SpaceTimeTable::Case& what, const SpaceTimeTable::Case& inside,
     const SpaceTimeTable::RankArray& ranks, const Slot* same, bool hasSides);

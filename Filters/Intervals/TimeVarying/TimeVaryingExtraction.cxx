@@ -113,7 +113,8 @@ struct Local
   }
 };
 
-// Cuts the cells of a slab in the global order of their points.
+// Cuts the cells of a slab. How a cell is split depends on the global order of its points (see
+// CornerOrder), so that adjacent cells match.
 class SlabCutter
 {
 public:
@@ -156,7 +157,7 @@ public:
   }
 
   // Returns true if the cut stored in the table applies. Otherwise merges the slots of the same
-  // point, cuts the case in the global order, and stores the cut in \a local.
+  // point, cuts the case according to the global order, and stores the cut in \a local.
   bool Cut(const Cell& cell, const Item& item, const Case& what, Local& local) const
   {
     OwnCut& cut = local.Own;

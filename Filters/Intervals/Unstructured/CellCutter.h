@@ -16,7 +16,10 @@ namespace interlume
 
 /**
  * @class   CellCutter
- * @brief   cuts the cells of an unstructured grid in the global order of their points
+ * @brief   cuts the cells of an unstructured grid
+ *
+ * How a cell is split depends on the global order of its points (see CornerOrder), so that adjacent
+ * cells match.
  */
 class CellCutter
 {
@@ -72,8 +75,8 @@ public:
   }
 
 private:
-  // Cuts a case in the global order and stores the cut. \a same maps each slot to the slot that
-  // represents its point. It is null if all slots are distinct points.
+  // Cuts a case according to the global order and stores the cut. \a same maps each slot to the
+  // slot that represents its point. It is null if all slots are distinct points.
   CellCut MakeCut(const Cell& cell, const Item& item, const vtkIsotable::Case& what,
     const Slot* same, MergedCut& merged, ChunkCuts& cuts, ChunkCuts::SlotBuffer& slots) const
   {

@@ -174,7 +174,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     light.Area = request.Samples > 1 ? light.Area : nullptr;
   }
   this->Maps.Fit(this->Lights, space, boxes.Opaque, request.Resolution, request.Samples);
-  // Translucent surfaces attenuate area lights like lights at the emitters' centers.
+  // For attenuation by translucent surfaces, area lights are treated as lights at their centers.
   std::vector<LightSource> centers = this->Lights;
   for (LightSource& light : centers)
   {

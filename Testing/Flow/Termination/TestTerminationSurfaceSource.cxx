@@ -87,7 +87,7 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
       mean += normal;
     }
     const Vector cross = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-    // A tiny triangle with all corners on the boundary of a part may have another orientation.
+    // A tiny triangle with all corners on the boundary of a part may be oriented differently.
     check.That(GetNorm(cross) < 1e-6 || Dot(cross, mean) > 0.9 * GetNorm(cross) * GetNorm(mean),
       "triangles and normals have the same orientation");
     found[id] += 0.5 * GetNorm(cross);

@@ -303,8 +303,8 @@ void TestMesh(Check& check)
   }
 }
 
-/// Samples between two surfaces with the same id have the side of the closer surface. Cells in the
-/// middle, where the side changes, remain.
+/// If two surfaces have the same id, the TerminationSide of a sample refers to the closer one.
+/// Cells midway between the surfaces, where the side changes, are not omitted.
 void TestOneId(Check& check)
 {
   check.SetContext("two surfaces with one id");

@@ -330,7 +330,7 @@ void CheckTorus(Check& check)
   }
 }
 
-// A cell is across a seam if its parameters differ by more than half a period.
+// A cell lies across a seam if its corners' parameters differ by more than half a period.
 void CheckThreshold(Check& check)
 {
   for (double step : { 0.45, 0.49, 0.51, 0.55 })

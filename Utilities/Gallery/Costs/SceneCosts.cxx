@@ -271,7 +271,7 @@ public:
     : Drawn(panel)
     , Settings(settings)
   {
-    // The first drawing creates the passes of the panel.
+    // The first call to Draw() creates the panel's render passes.
     panel.Draw(settings.Width, settings.Height);
   }
   DrawnPanel(const DrawnPanel&) = delete;

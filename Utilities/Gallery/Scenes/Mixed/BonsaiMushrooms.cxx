@@ -52,7 +52,8 @@ void AddMushrooms(gallery::Panel& panel)
   gallery::UseFullResolution(panel);
 }
 
-/// Adds a panel of \a image in which disk lights of \a diameter replace shadow-casting \a lights.
+/// Adds a panel of \a image lit by \a lights, with each shadow-casting light replaced by a disk
+/// light of \a diameter.
 gallery::Panel& AddSoftPanel(gallery::Stage& stage, const std::string& caption, vtkImageData* image,
   const gallery::Lights& lights, double diameter)
 {
