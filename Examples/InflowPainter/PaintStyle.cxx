@@ -11,8 +11,8 @@ vtkStandardNewMacro(PaintStyle);
 void PaintStyle::OnLeftButtonDown()
 {
   const int* position = this->Interactor->GetEventPosition();
-  this->Painter->SetCoarse(true);
-  if (this->Painter->IsOnLeft(position[0]))
+  this->Painter->SetReducedResolution(true);
+  if (this->Painter->IsOverPage(position[0]))
   {
     this->Painter->BeginStroke(position[0], position[1]);
   }
@@ -39,7 +39,7 @@ void PaintStyle::OnLeftButtonUp()
 {
   this->Painter->EndStroke();
   this->Superclass::OnLeftButtonUp();
-  this->Painter->SetCoarse(false);
+  this->Painter->SetReducedResolution(false);
   this->Interactor->Render();
 }
 

@@ -79,7 +79,7 @@ PainterWindow::PainterWindow(
   this->ShowSlider(this->Size, "brush", 0.05, SmallestBrush, LargestBrush, this->Brush.Radius);
   this->ShowSlider(this->Opacity, "opacity", 0.37, 0.0, 1.0, this->Brush.Color[3]);
   this->ShowSlider(this->Hue, "hue", 0.69, 0.0, 1.0, 0.0);
-  this->ShowBrush(0.0);
+  this->SetBrushHue(0.0);
 }
 
 PainterWindow::~PainterWindow() = default;
@@ -262,10 +262,10 @@ void PainterWindow::ReadSliders()
 {
   this->Brush.Radius = GetValue(this->Size);
   this->Brush.Color[3] = GetValue(this->Opacity);
-  this->ShowBrush(GetValue(this->Hue));
+  this->SetBrushHue(GetValue(this->Hue));
 }
 
-void PainterWindow::ShowBrush(double hue)
+void PainterWindow::SetBrushHue(double hue)
 {
   if (hue >= 0.0)
   {
@@ -280,7 +280,7 @@ void PainterWindow::ShowBrush(double hue)
   bar->GetSelectedProperty()->SetColor(this->Brush.Color.data());
 }
 
-bool PainterWindow::IsOnLeft(int x) const
+bool PainterWindow::IsOverPage(int x) const
 {
   return x < Border * this->Window->GetSize()[0];
 }
@@ -321,21 +321,21 @@ bool PainterWindow::HandleKey(char key)
     case '5':
     case '6':
       this->Brush.Color[3] = std::max(this->Brush.Color[3], 0.05);
-      this->ShowBrush((key - '1') / 6.0);
+      this->SetBrushHue((key - '1') / 6.0);
       break;
     case 'k':
       std::fill_n(this->Brush.Color.begin(), 3, 0.0);
-      this->ShowBrush(-1.0);
+      this->SetBrushHue(-1.0);
       break;
     case 'x':
       this->Brush.Color[3] = 0.0;
-      this->ShowBrush(-1.0);
+      this->SetBrushHue(-1.0);
       break;
     case '[':
     case ']':
       this->Brush.Radius =
         std::clamp(this->Brush.Radius * (key == '[' ? 0.8 : 1.25), SmallestBrush, LargestBrush);
-      this->ShowBrush(-1.0);
+      this->SetBrushHue(-1.0);
       break;
     case 'z':
       this->Canvas.Undo();
@@ -361,7 +361,7 @@ bool PainterWindow::HandleKey(char key)
   return true;
 }
 
-void PainterWindow::SetCoarse(bool isCoarse)
+void PainterWindow::SetReducedResolution(bool isCoarse)
 {
   constexpr double coarse = 3.0;
   this->Mapper->SetImageSampleDistance(isCoarse ? coarse : 1.0);

@@ -52,7 +52,7 @@ public:
   /**
    * Called by the interactor style. Positions are in window pixels.
    */
-  bool IsOnLeft(int x) const;
+  bool IsOverPage(int x) const;
   bool IsPainting() const { return this->Painting; }
   void BeginStroke(int x, int y);
   void ContinueStroke(int x, int y);
@@ -60,7 +60,7 @@ public:
   /// Handles a key. Returns false if the key is not assigned.
   bool HandleKey(char key);
   /// If \a isCoarse is true, renders the flow at reduced resolution, for interaction.
-  void SetCoarse(bool isCoarse);
+  void SetReducedResolution(bool isCoarse);
   ///@}
 
 private:
@@ -76,7 +76,7 @@ private:
   PaintCanvas::Position FindCanvasPosition(int x, int y) const;
   void ReadSliders();
   /// Sets the brush to the color of \a hue, unless it is negative, and updates the sliders.
-  void ShowBrush(double hue);
+  void SetBrushHue(double hue);
 
   vtkNew<vtkRenderer> Left;
   vtkNew<vtkRenderer> Right;

@@ -44,7 +44,7 @@ public:
   vtkIdType GetNumber() const { return this->Array->GetNumberOfTuples(); }
 
   /// Returns the rounding error of values of magnitude \a size, or 0 for double.
-  double GetRounding(double size) const { return this->Floats ? FLT_EPSILON * size : 0.0; }
+  double GetRoundingError(double size) const { return this->Floats ? FLT_EPSILON * size : 0.0; }
 
   /// Copies tuple \a i of an array with N components.
   template <int N>

@@ -41,7 +41,7 @@ inline std::string GetTemporaryName(const std::string& fileName)
   return fileName + ".part";
 }
 
-inline bool IsThere(const std::string& fileName)
+inline bool Exists(const std::string& fileName)
 {
   std::error_code ignored;
   return std::filesystem::exists(GetPath(fileName), ignored);
@@ -82,7 +82,7 @@ inline bool CanWrite(const std::string& fileName)
 
 /// Returns the last line of a sealed file: a comment with the digest of all preceding bytes, whose
 /// number is \a bytes. Returns an empty string if the file is shorter.
-inline std::string GetLastLine(const std::string& fileName, std::uintmax_t bytes)
+inline std::string MakeDigestLine(const std::string& fileName, std::uintmax_t bytes)
 {
   std::ifstream file(GetPath(fileName), std::ios::in | std::ios::binary);
   DataDigest digest;
@@ -101,20 +101,20 @@ inline std::string GetLastLine(const std::string& fileName, std::uintmax_t bytes
 }
 
 /// Appends the comment with the digest to a file. Returns false on failure.
-inline bool Seal(const std::string& fileName)
+inline bool AppendDigest(const std::string& fileName)
 {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(GetPath(fileName), error);
-  const std::string line = error ? std::string() : GetLastLine(fileName, bytes);
+  const std::string line = error ? std::string() : MakeDigestLine(fileName, bytes);
   std::ofstream file(GetPath(fileName), std::ios::out | std::ios::binary | std::ios::app);
   file << line << std::flush;
   return !line.empty() && file;
 }
 
 /// Returns whether a file matches its digest.
-inline bool IsSealed(const std::string& fileName)
+inline bool HasValidDigest(const std::string& fileName)
 {
-  std::string line = GetLastLine(fileName, 0);
+  std::string line = MakeDigestLine(fileName, 0);
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(GetPath(fileName), error);
   if (error || bytes < line.size())
@@ -125,7 +125,7 @@ inline bool IsSealed(const std::string& fileName)
   std::ifstream file(GetPath(fileName), std::ios::in | std::ios::binary);
   file.seekg(static_cast<std::streamoff>(before));
   return file.read(&line[0], static_cast<std::streamsize>(line.size())) &&
-    line == GetLastLine(fileName, before);
+    line == MakeDigestLine(fileName, before);
 }
 
 /// Suppresses the messages of a reader or writer. The caller must report failures itself.
@@ -147,13 +147,14 @@ inline bool Write(vtkXMLWriter* writer, const std::string& fileName)
   writer->SetHeaderTypeToUInt64();
   writer->SetCompressorTypeToLZ4();
   return Finish(fileName,
-    writer->Write() != 0 && writer->GetErrorCode() == 0 && Seal(GetTemporaryName(fileName)));
+    writer->Write() != 0 && writer->GetErrorCode() == 0 &&
+      AppendDigest(GetTemporaryName(fileName)));
 }
 
 /// Reads a file. Returns false if the file is damaged or the reader reports an error.
 inline bool Read(vtkXMLReader* reader, const std::string& fileName)
 {
-  if (!IsSealed(fileName))
+  if (!HasValidDigest(fileName))
   {
     return false;
   }

@@ -143,7 +143,7 @@ public:
   }
 
   /// Returns whether all \a number cells have the same type. \a number must be positive.
-  static bool AreOfOneType(const unsigned char* types, vtkIdType number)
+  static bool AreTypesEqual(const unsigned char* types, vtkIdType number)
   {
     // Comparing adjacent types vectorizes.
     return std::equal(types + 1, types + number, types);

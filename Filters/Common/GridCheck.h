@@ -284,7 +284,7 @@ inline Error FindPolyhedronError(vtkUnstructuredGrid* grid)
   return {};
 }
 
-inline Error FindUnstructuredError(vtkUnstructuredGrid* grid)
+inline Error FindUnstructuredGridError(vtkUnstructuredGrid* grid)
 {
   const vtkIdType cells = grid->GetNumberOfCells();
   if (cells == 0)
@@ -348,7 +348,7 @@ inline Error FindError(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    return FindUnstructuredError(grid);
+    return FindUnstructuredGridError(grid);
   }
   if (auto* grid = vtkStructuredGrid::SafeDownCast(data))
   {

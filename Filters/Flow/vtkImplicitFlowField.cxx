@@ -466,7 +466,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::CheckInput(Execution& execut
         ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
         : nullptr);
     execution.Error =
-      execution.Combine(execution.Input.HasFlatBlocks() ? interlume::Error() : execution.Error);
+      execution.Combine(execution.Input.HasOnlyFlatBlocks() ? interlume::Error() : execution.Error);
   }
   return execution.Error ? Outcome::FAILED : Outcome::COMPLETE;
 }
@@ -541,10 +541,10 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
     this->AddSpheres(execution.Field, execution.Options);
   }
   interlume::ImplicitFlowRun run(this, execution.Options, execution.Field, execution.Vectors);
-  run.SetHidden(execution.Input.HasHidden());
+  run.SetHasHidden(execution.Input.HasHidden());
   if (execution.Ranks)
   {
-    run.SetRanks(execution.Ranks.get());
+    run.SetDistributedField(execution.Ranks.get());
   }
   this->OpenCheckpoint(execution);
   run.SetCheckpoint(execution.Checkpoint.get());
@@ -563,9 +563,9 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
   {
     return Outcome::FAILED;
   }
-  if (run.GetRefined())
+  if (run.GetRefinedSamples())
   {
-    execution.Output->ShallowCopy(run.GetRefined());
+    execution.Output->ShallowCopy(run.GetRefinedSamples());
   }
   return Outcome::COMPLETE;
 }

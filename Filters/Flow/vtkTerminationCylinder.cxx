@@ -87,7 +87,7 @@ void vtkTerminationCylinder::EvaluateParameters(const double x[3], double uv[2])
   const LocalPosition position = this->GetLocalPosition(x);
   if (position.Part == WALL)
   {
-    uv[0] = interlume::AxialFrame::GetTurn(position.Offset[0], position.Offset[1]);
+    uv[0] = interlume::AxialFrame::GetAngleInTurns(position.Offset[0], position.Offset[1]);
     uv[1] = std::max(0.0, std::min(position.Along / this->Length, 1.0));
     return;
   }

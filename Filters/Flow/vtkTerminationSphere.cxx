@@ -48,7 +48,7 @@ double vtkTerminationSphere::EvaluateDistance(const double x[3]) const
 void vtkTerminationSphere::EvaluateParameters(const double x[3], double uv[2]) const
 {
   const glm::dvec3 p = this->Frame->GetComponents(glm::make_vec3(x), glm::make_vec3(this->Center));
-  uv[0] = interlume::AxialFrame::GetTurn(p[0], p[1]);
+  uv[0] = interlume::AxialFrame::GetAngleInTurns(p[0], p[1]);
   uv[1] = 0.5 + std::atan2(p[2], std::hypot(p[0], p[1])) / vtkMath::Pi();
 }
 

@@ -155,7 +155,7 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
   interlume::InteriorCellPass interiorPass;
   interlume::InteriorCellPass* const whole = this->KeepInteriorCells ? &interiorPass : nullptr;
   bool completed = this->ExtractIntervals(input, scalars, run, whole, output, boundary);
-  run.GetEmptyResult().Add(input, scalars, output->GetNumberOfCells());
+  run.GetEmptyOutputDiagnosis().Add(input, scalars, output->GetNumberOfCells());
   for (int pass = 1; completed && pass < passes; ++pass)
   {
     this->SetProgressText(
@@ -214,8 +214,8 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   {
     if (whole)
     {
-      whole->Exclude(input->GetPointData()->GetArray(criterion.ArrayName.c_str()), criterion.Lower,
-        criterion.Upper);
+      whole->ExcludePointsOutside(input->GetPointData()->GetArray(criterion.ArrayName.c_str()),
+        criterion.Lower, criterion.Upper);
     }
   }
   const interlume::ExtractionValues values =
@@ -259,7 +259,7 @@ bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run
   std::ostringstream description;
   description << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower
               << " to " << criterion.Upper;
-  run.GetEmptyResult().AddCriterion(
+  run.GetEmptyOutputDiagnosis().AddCriterion(
     number, description.str(), array, before->GetNumberOfCells(), grid->GetNumberOfCells());
   interlume::ExtractionReport& sum = run.GetReport();
   sum.CollapsedSimplices += report.CollapsedSimplices;

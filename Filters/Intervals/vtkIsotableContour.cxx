@@ -155,7 +155,7 @@ void vtkIsotableContour::ExtractFrom(
     output->Initialize();
   }
   interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), output->GetPointData());
-  run.GetEmptyResult().Add(input, scalars, output->GetNumberOfCells());
+  run.GetEmptyOutputDiagnosis().Add(input, scalars, output->GetNumberOfCells());
   report.Passes = 1;
   run.Add(input, this->OutputPointsPrecision, report);
 }

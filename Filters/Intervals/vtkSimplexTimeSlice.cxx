@@ -218,7 +218,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
         dataset->GetClassName() + "; 4-simplices are the cells of a vtkUnstructuredGrid.")
   {
     vtkErrorMacro(<< error);
-    empty.NoteMessage();
+    empty.SetExplained();
     return;
   }
   const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours({ time });
@@ -249,7 +249,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
                           << " is not a 4-simplex (a VTK_POLY_VERTEX of five points): it has type "
                           << input->GetCellType(slice.InvalidCell) << " and "
                           << input->GetCells()->GetCellSize(slice.InvalidCell) << " points.");
-    empty.NoteMessage();
+    empty.SetExplained();
     return;
   }
   interlume::PointArrays arrays(input, vtkAlgorithm::DEFAULT_PRECISION);

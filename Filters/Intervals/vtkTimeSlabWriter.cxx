@@ -296,7 +296,7 @@ bool vtkTimeSlabWriter::IsWritten(
   for (const Port& port : ports)
   {
     const std::string name = this->GetSlabName(port, slab, false);
-    if (!AtomicFiles::IsThere(name))
+    if (!AtomicFiles::Exists(name))
     {
       return false;
     }

@@ -274,7 +274,7 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun
   const auto& kinds = this->GenerateBoundary;
   const bool hasBoundary = std::find(kinds.begin(), kinds.end(), true) != kinds.end();
   const bool isSelected = this->GenerateTetrahedra || this->GenerateSimplices || hasBoundary;
-  const std::string why = run.GetEmptyResult().Explain(this,
+  const std::string why = run.GetEmptyOutputDiagnosis().Explain(this,
     isSelected
       ? ""
       : "no output is selected. Turn on GenerateTetrahedra, GenerateSimplices or a boundary.",

@@ -3,7 +3,7 @@
 
 #include "Cases/CasePatch.h"
 #include "Cases/CellSymmetries.h"
-#include "Cases/MovedPieces.h"
+#include "Cases/TransformedPieces.h"
 #include "Cases/SlotOrder.h"
 #include "Hulls/Polytope.h"
 
@@ -76,7 +76,7 @@ public:
     }
     std::call_once(
       this->HasSymmetries, [this] { this->Symmetries.reset(new CellSymmetries(this->Cell)); });
-    const auto origin = this->Symmetries->FindOrigin(static_cast<std::uint32_t>(key));
+    const auto origin = this->Symmetries->FindRepresentative(static_cast<std::uint32_t>(key));
     const int first = static_cast<int>(origin.Key);
     if (first == key)
     {
@@ -85,7 +85,7 @@ public:
     }
     const Case& from = table.GetCase(first);
     const auto& symmetry = this->Symmetries->Get()[origin.Symmetry];
-    result.Pieces = MovedPieces::Move(
+    result.Pieces = TransformedPieces::Move(
       from.Pieces, symmetry, table.GetNumberOfVertices(), table.GetNumberOfEdges());
     for (const Slot slot : from.Slots)
     {
@@ -184,10 +184,10 @@ vtkIsotable::~vtkIsotable()
 const vtkIsotable& vtkIsotable::Get(Kinds kind, Shapes shape)
 {
   static const vtkIsotable tables[2][NUMBER_OF_SHAPES] = {
-    { { CONTOUR, Polytope::OfShape(0) }, { CONTOUR, Polytope::OfShape(1) },
-      { CONTOUR, Polytope::OfShape(2) }, { CONTOUR, Polytope::OfShape(3) } },
-    { { INTERVAL, Polytope::OfShape(0) }, { INTERVAL, Polytope::OfShape(1) },
-      { INTERVAL, Polytope::OfShape(2) }, { INTERVAL, Polytope::OfShape(3) } }
+    { { CONTOUR, Polytope::FromShape(0) }, { CONTOUR, Polytope::FromShape(1) },
+      { CONTOUR, Polytope::FromShape(2) }, { CONTOUR, Polytope::FromShape(3) } },
+    { { INTERVAL, Polytope::FromShape(0) }, { INTERVAL, Polytope::FromShape(1) },
+      { INTERVAL, Polytope::FromShape(2) }, { INTERVAL, Polytope::FromShape(3) } }
   };
   return tables[kind][shape];
 }

@@ -196,7 +196,7 @@ void vtkTetrahedralMesher::FillOutput(interlume::MeshingJob& job, vtkUnstructure
     std::copy(mesh.Regions.begin(), mesh.Regions.end(), regions->GetPointer(0));
     grid->GetCellData()->AddArray(regions);
   }
-  for (const interlume::MeshedPoint& origin : mesh.Origins)
+  for (const interlume::PointSources& origin : mesh.Origins)
   {
     job.Report.AddedPoints += origin.NumberOfSources != 1;
   }

@@ -104,7 +104,7 @@ int vtkAnalyticFieldSource::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestInformation(request, inputs, outputs);
-  this->GetSampler().Announce(outputs->GetInformationObject(0), this->GetWholeExtent());
+  this->GetSampler().FillInformation(outputs->GetInformationObject(0), this->GetWholeExtent());
   return 1;
 }
 

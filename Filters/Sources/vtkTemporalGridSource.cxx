@@ -74,7 +74,7 @@ int vtkTemporalGridSource::RequestInformation(
 {
   const int wholeExtent[6] = { 0, this->Dimensions[0] - 1, 0, this->Dimensions[1] - 1, 0,
     this->Dimensions[2] - 1 };
-  this->GetSampler().Announce(outputs->GetInformationObject(0), wholeExtent);
+  this->GetSampler().FillInformation(outputs->GetInformationObject(0), wholeExtent);
   return 1;
 }
 

@@ -154,7 +154,7 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   {
     vtkErrorMacro(<< "The scene is drawn without shadows: " << error);
   }
-  scene.MakeShader(renderer, !error);
+  scene.UpdatePropShaders(renderer, !error);
   scene.GetReport().CopyTo(this->Report);
   scene.Activate();
   this->DrawAll(state);
@@ -187,7 +187,7 @@ void vtkShadowedScenePass::FindVolumes(vtkRenderer* renderer)
 interlume::Error vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
 {
   interlume::SceneRenderer& scene = *this->Renderer;
-  interlume::Error error = scene.DrawMaps(renderer);
+  interlume::Error error = scene.DrawShadowMaps(renderer);
   if (error || !scene.HasVolumes())
   {
     return error;
@@ -204,7 +204,7 @@ interlume::Error vtkShadowedScenePass::DrawShadows(vtkRenderer* renderer)
     return error;
   }
   scene.GetReport().Volumes = static_cast<int>(this->Volumes.size());
-  return scene.DrawSegments(
+  return scene.DrawInDepthOrder(
     renderer, [&]() { this->DrawVolumes(renderer); }, [&]() { this->ShowVolumes(renderer); });
 }
 
@@ -232,7 +232,7 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
   scene.Fields.clear();
   report.SeparateVolumesReason = this->DrawTogether(renderer).GetMessage();
   const auto together = std::count_if(this->Images.begin(), this->Images.end(),
-    [](const interlume::VolumeImage* image) { return image->IsTogether(); });
+    [](const interlume::VolumeImage* image) { return image->IsRenderedTogether(); });
   if (together == 0)
   {
     this->Together->ReleaseGraphicsResources(renderer->GetRenderWindow());
@@ -240,7 +240,7 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
   report.VolumesInSharedSlices = together > 1 ? static_cast<int>(together) : 0;
   for (std::size_t i = 0; i < this->Images.size(); ++i)
   {
-    if (!this->Images[i]->IsTogether())
+    if (!this->Images[i]->IsRenderedTogether())
     {
       // A mapper shared by several volumes holds only the last volume's request, so set it again.
       UpdateImage(renderer, this->Volumes[i]).Draw(renderer, &scene);
@@ -261,14 +261,14 @@ void vtkShadowedScenePass::ShowVolumes(vtkRenderer* renderer)
 
 void vtkShadowedScenePass::WarnAboutUnsupportedActors()
 {
-  for (vtkProp* prop : this->Renderer->ConsumeUnreached())
+  for (vtkProp* prop : this->Renderer->PopUnshadowedActors())
   {
     vtkWarningMacro(
       << prop->GetClassName() << " (" << static_cast<void*>(prop)
       << ") is drawn without shadows, because its mapper ignores render passes or its custom "
          "fragment shader lacks VTK's light code.");
   }
-  for (vtkProp* prop : this->Renderer->ConsumeUnsliced())
+  for (vtkProp* prop : this->Renderer->PopNonPeelableActors())
   {
     vtkWarningMacro(
       << prop->GetClassName() << " (" << static_cast<void*>(prop)

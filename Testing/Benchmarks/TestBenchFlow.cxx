@@ -96,7 +96,7 @@ void TestDifference(Check& check)
   check.Near(difference.Within, 0.5, 0.0, "fraction within an error");
 }
 
-/// Tests that vtkStreamTracer stops after the step that leaves the box, and that ReadTracer()
+/// Tests that vtkStreamTracer stops after the step that leaves the box, and that GetTracerResult()
 /// returns the last point inside the box.
 void TestTracerEnds(Check& check)
 {
@@ -117,7 +117,7 @@ void TestTracerEnds(Check& check)
     outside += lines->GetPoint(i)[0] < -0.6 ? 1 : 0;
   }
   check.Equal(outside, vtkIdType{ 20 }, "points outside, one per streamline");
-  const flow::MethodResult result = flow::ReadTracer(flowCase, tracer);
+  const flow::MethodResult result = flow::GetTracerResult(flowCase, tracer);
   for (const flow::End& end : result.Ends)
   {
     check.That(end.HasResult, "the sample has a result");
@@ -132,7 +132,7 @@ void TestTubes(Check& check)
   const auto tubes = flow::MakeTubes(8);
   const reference::Flow flows[] = { reference::Flow::Linear(
                                       { 1.0, 0.0, 0.0, 0.0, -0.5, 0.0, 0.0, 0.0, -0.5 }),
-    reference::Flow::RoundSphere(), reference::Flow::RoundSphere() };
+    reference::Flow::PotentialAroundSphere(), reference::Flow::PotentialAroundSphere() };
   for (std::size_t i = 0; i < tubes.size(); ++i)
   {
     const flow::Tube& tube = tubes[i];
@@ -152,7 +152,7 @@ void TestTubes(Check& check)
   const auto speed = [](const double x[3])
   {
     double v[3];
-    reference::Flow::RoundSphere().Velocity(x, v);
+    reference::Flow::PotentialAroundSphere().Velocity(x, v);
     return v[0];
   };
   const flow::Disk center = { -2.0, 0.0, 0.0, 1.5 };

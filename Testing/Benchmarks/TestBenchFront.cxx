@@ -43,7 +43,7 @@ BenchPlot MakePlot()
 
 void CheckFront()
 {
-  const std::vector<ErrorPoint> front = FindFront(MakePlot());
+  const std::vector<ErrorPoint> front = FindParetoFront(MakePlot());
   Expect(front.size() == 4, "the front has 4 points, not " + std::to_string(front.size()));
   const char* names[] = { "1", "2", "8", "16" };
   for (std::size_t i = 0; i < front.size() && i < 4; ++i)
@@ -52,24 +52,24 @@ void CheckFront()
   }
   BenchPlot plot = MakePlot();
   plot.AddPoint("exact", false, 0.5, 1e-6);
-  Expect(FindFront(plot).size() == 1, "a point that is best in both is the front");
-  plot.SetNoChoice("exact");
-  plot.SetNoChoice("nothing");
-  Expect(FindFront(plot).size() == 4, "points that cannot be chosen are not on the front");
-  Expect(FindFront(BenchPlot()).empty(), "an empty plot has no front");
+  Expect(FindParetoFront(plot).size() == 1, "a point that is best in both is the front");
+  plot.ExcludeFromFront("exact");
+  plot.ExcludeFromFront("nothing");
+  Expect(FindParetoFront(plot).size() == 4, "points that cannot be chosen are not on the front");
+  Expect(FindParetoFront(BenchPlot()).empty(), "an empty plot has no front");
 }
 
 void CheckSummaries()
 {
   BenchPlot plot = MakePlot();
-  Expect(
-    !GetCostOverFront(plot) && SummaryOf(plot).empty(), "without a default the sentence is empty");
+  Expect(!GetCostRelativeToFront(plot) && SummaryOf(plot).empty(),
+    "without a default the sentence is empty");
   plot.SetDefault("fine", "8");
-  Expect(GetCostOverFront(plot) == 1.0, "8 is on the front");
+  Expect(GetCostRelativeToFront(plot) == 1.0, "8 is on the front");
   Expect(SummaryOf(plot) == "The default, fine 8 (error 0.0001 in 4 s), is on the front.",
     "summary: " + SummaryOf(plot));
   plot.SetDefault("peer");
-  Expect(GetCostOverFront(plot) == 1.25, "the baseline costs 5 / 4 of point 8");
+  Expect(GetCostRelativeToFront(plot) == 1.25, "the baseline costs 5 / 4 of point 8");
   Expect(SummaryOf(plot) ==
       "The default, peer (error 0.0005 in 5 s), is not on the front: fine 8 has error 0.0001 in 4 "
       "s.",
@@ -162,7 +162,7 @@ void CheckClocks()
                      : "Made up. cells along an edge 8."),
       "caption: " + plot.Conditions);
   }
-  Expect(ClockOf(nullptr) == Clock::Wall, "without a window the wall clock is used");
+  Expect(SelectClock(nullptr) == Clock::Wall, "without a window the wall clock is used");
 }
 
 int Count(const std::string& text, const std::string& part)
@@ -276,7 +276,7 @@ void CheckBars()
 void CheckDashes()
 {
   BenchPlot plot = MakePlot();
-  plot.SetNoChoice("coarse");
+  plot.ExcludeFromFront("coarse");
   const std::string svg = MakeSvg(plot, "");
   Expect(Count(svg, "class=\"line\"") == 2 &&
       Count(svg, "class=\"line peer\" stroke-dasharray") == 2 &&

@@ -110,8 +110,8 @@ void TestFieldImage()
   auto camera = tetrahedra::MakeCamera();
   reference::CameraSettings settings;
   settings.Size = { { 24, 24 } };
-  const auto exact = IntegrateField(tetrahedra::GetField, tetrahedra::GetLow(),
-    tetrahedra::GetHigh(), property, camera, settings.Size, 2000);
+  const auto exact = RenderField(tetrahedra::GetField, tetrahedra::GetLow(), tetrahedra::GetHigh(),
+    property, camera, settings.Size, 2000);
   double errors[2];
   for (int level = 0; level < 2; ++level)
   {
@@ -138,11 +138,11 @@ void TestStoredSteps()
   source->SetNumberOfTimeSteps(3);
   source->SetTimeRange(1.0, 2.0);
   vtkNew<StoredTimeSteps> steps;
-  steps->AddStepsOf(source);
+  steps->AddStepsFrom(source);
   ExpectNear(steps->GetNumberOfSteps(), 3, 0.0, "number of steps in memory");
   for (int step = 0; step < 3; ++step)
   {
-    ExpectNear(steps->GetTimeOf(step), 1.0 + 0.5 * step, 1e-15, "time of a step");
+    ExpectNear(steps->GetStepTime(step), 1.0 + 0.5 * step, 1e-15, "time of a step");
     ExpectNear(
       GetOutputTime(steps, 1.0 + 0.5 * step), 1.0 + 0.5 * step, 1e-15, "output time of a step");
     // f = x + t, and x = -1 at the first point.
@@ -172,7 +172,7 @@ void TestMovingFields()
   {
     for (const double time : { 0.0, 0.7, 2.0 })
     {
-      const auto error = interval4d::MeasureRegion(field, time, MakeRegion(field, time));
+      const auto error = interval4d::MeasureRegionError(field, time, MakeRegion(field, time));
       ExpectNear(error.Volume, 0.0, 3e-3, field.Name + ", volume");
       ExpectNear(error.SymmetricDifference, 0.0, 2e-2, field.Name + ", symmetric difference");
     }
@@ -180,7 +180,7 @@ void TestMovingFields()
     // Their projection along z is a 2 x 2 square.
     if (field.Name == "linear")
     {
-      const auto error = interval4d::MeasureRegion(field, 1.4, MakeRegion(field, 1.0));
+      const auto error = interval4d::MeasureRegionError(field, 1.4, MakeRegion(field, 1.0));
       ExpectNear(error.Volume, 0.0, 1e-12, "a shifted slab, volume");
       ExpectNear(error.SymmetricDifference, 2.0 * 4.0 * 0.05 * 0.4 / 0.8, 1e-9,
         "a shifted slab, symmetric difference");

@@ -24,8 +24,8 @@ int main()
       TimeOnce(WithThreads(threads,
         [&]()
         {
-          check.That(
-            reference::HasThreads(isSingle) != isSingle, "the requested number of threads is used");
+          check.That(reference::RunsConcurrently(isSingle) != isSingle,
+            "the requested number of threads is used");
           return vtkSmartPointer<vtkObjectBase>();
         }));
     }

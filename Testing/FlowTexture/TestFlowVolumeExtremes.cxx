@@ -63,7 +63,7 @@ public:
     vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(9, &Uniform);
     vtkNew<vtkVolumeProperty> property;
     RgbaImage found;
-    const std::string message = ErrorsOf(mapper,
+    const std::string message = CaptureErrors(mapper,
       [&]()
       {
         change(mapper, voxels, property);
@@ -298,7 +298,7 @@ void TestErrors(FlowTable& table)
   VolumeStage stage(std::array<int, 2>{ { 8, 8 } });
   vtkNew<vtkVolumeProperty> property;
   stage.SetVolume(mapper, property);
-  const std::string message = ErrorsOf(mapper, [&]() { stage.Render(); });
+  const std::string message = CaptureErrors(mapper, [&]() { stage.Render(); });
   table.Catalogue.Check("unstructured", "an unstructured grid", "an error that names the solution",
     message, message.find("SAMPLES_OF_IMAGE") != std::string::npos);
 }

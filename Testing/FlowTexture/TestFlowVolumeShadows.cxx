@@ -272,9 +272,9 @@ void TestOthers(Check& check)
   fixture.Draw();
   const vtkIdType bytes = fixture.Mapper->GetReport()->GetNumber("TextureBytes");
   fixture.Mapper->SetMaximumTextureMemory(bytes + 1000);
-  check.Contains(ErrorsOf(fixture.Mapper, [&]() { fixture.Draw(); }), "MaximumTextureMemory");
+  check.Contains(CaptureErrors(fixture.Mapper, [&]() { fixture.Draw(); }), "MaximumTextureMemory");
   fixture.Mapper->SetMaximumTextureMemory(0);
-  check.That(ErrorsOf(fixture.Mapper, [&]() { fixture.Draw(); }).empty(),
+  check.That(CaptureErrors(fixture.Mapper, [&]() { fixture.Draw(); }).empty(),
     "there is no error without the limit");
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(fixture.Stage.GetRenderer());

@@ -389,7 +389,7 @@ void TestSettings(StabilityCatalogue& catalogue)
   vtkNew<vtkStreamlineTexture> texture;
   for (const int number : { 0, -4, 3, 8192 })
   {
-    const std::string errors = ErrorsOf(texture, [&]() { texture->SetNumberOfLines(number); });
+    const std::string errors = CaptureErrors(texture, [&]() { texture->SetNumberOfLines(number); });
     const std::string text = std::to_string(number);
     catalogue.Check("lines-" + text, text + " lines",
       "an error that names the number, and 256 lines remain", errors,
@@ -409,7 +409,7 @@ void TestSettings(StabilityCatalogue& catalogue)
   quad.Actor->SetTexture(texture);
   Quad::Row row;
   const auto draw = [&]() { row = quad.Draw(); };
-  const bool isSilent = ErrorsOf(texture, draw).empty();
+  const bool isSilent = CaptureErrors(texture, draw).empty();
   catalogue.Measure("width-0", "one line of zero width", "fraction of light that is lost",
     isSilent ? 1.0 - row[WINDOW / 2][0] : std::nan(""), 0.01);
   texture->SetLineWidth(1.0);
@@ -421,7 +421,7 @@ void TestSettings(StabilityCatalogue& catalogue)
   texture->SetLineWidth(0.5);
   texture->SetDirection(vtkStreamlineTexture::S);
   quad.SetPixels(1000.0);
-  const std::string errors = ErrorsOf(texture, draw);
+  const std::string errors = CaptureErrors(texture, draw);
   catalogue.Check("no-room", "4096 lines of 256 texels", "an error that names the number of lines",
     errors, errors.find("does not allow 4096 lines") != std::string::npos);
   catalogue.Measure("no-room-lines", "4096 lines of 256 texels", "brightness of lines",

@@ -183,7 +183,7 @@ vtkSmartPointer<vtkDataSet> MakeUnstructured(
     { { random.Integer(1, 4), random.Integer(1, 4), random.Integer(1, 3) } }, seed);
   if (random.Chance(0.3))
   {
-    mesh = reference::TurnCells(mesh, seed);
+    mesh = reference::RotateCellPointOrder(mesh, seed);
   }
   if (random.Chance(0.3))
   {

@@ -2,7 +2,7 @@
 // Runs random pipelines of the public classes: see FuzzCases.h. A family and a seed reproduce a
 // case on every machine.
 #include "FuzzCases.h"
-#include "FuzzWatch.h"
+#include "FuzzWatchdog.h"
 
 #include "vtkLogger.h"
 
@@ -76,7 +76,7 @@ int main(int argc, char* argv[])
   // Logged messages are not printed because fuzz::Messages collects them.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   reference::Check check;
-  fuzz::FuzzWatch watch(limit);
+  fuzz::FuzzWatchdog watch(limit);
   for (const fuzz::Family& family : fuzz::GetFamilies())
   {
     if (std::find(chosen.begin(), chosen.end(), family.Name) == chosen.end())

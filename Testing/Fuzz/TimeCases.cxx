@@ -71,7 +71,7 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
   const bool hasBoundaries = random.Chance(0.5);
   text = data.Text + ", " + std::to_string(times.size()) + (isTied ? " tied" : "") + " steps, [" +
     std::to_string(lower) + ", " + std::to_string(upper) + "]";
-  vtkNew<reference::TemporalGrids> source;
+  vtkNew<reference::TimeStepSource> source;
   source->SetSteps(steps);
   const auto make = [&]()
   {

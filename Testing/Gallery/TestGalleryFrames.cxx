@@ -50,7 +50,7 @@ int CountChanges(vtkImageData* one, vtkImageData* other, bool isRight, int toler
 
 bool CheckFrames()
 {
-  const gallery::DisplayHold display;
+  const gallery::DisplayKeepAlive display;
   const gallery::ImageSize size = { WIDTH, HEIGHT };
   gallery::Stage stage(size);
   gallery::FindScene("inflow-post")->Build(stage);

@@ -68,7 +68,7 @@ bool IsWithinPixelBoundsOfAny(vtkImageData* image, const std::string& baseline)
 
 bool Matches(const gallery::Scene& scene, vtkTesting* testing)
 {
-  const gallery::DisplayHold display;
+  const gallery::DisplayKeepAlive display;
   gallery::SceneReport report;
   vtkSmartPointer<vtkImageData> image = gallery::RenderScene(scene, { WIDTH, HEIGHT }, report);
   vtkNew<vtkTrivialProducer> producer;

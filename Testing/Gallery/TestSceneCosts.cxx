@@ -80,7 +80,7 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const gallery::DisplayHold display;
+    const gallery::DisplayKeepAlive display;
     Checker checker;
     for (int i = 1; i < argc; ++i)
     {

@@ -180,7 +180,7 @@ void TestStatistics(reference::Check& check)
   {
     cache.GetCase(key);
   }
-  check.Equal(cache.GetNumberOfKinds(), 1, "one kind");
+  check.Equal(cache.GetNumberOfSymmetryClasses(), 1, "one kind");
   check.Equal(cache.GetNumberOfCases(), 8, "cases");
   check.Equal(cache.GetNumberOfLookups(), 8, "lookups");
   check.Equal(cache.GetNumberOfHits(), 0, "hits");
@@ -200,7 +200,7 @@ void TestStatistics(reference::Check& check)
   check.Equal(cache.GetNumberOfLookups(), 17, "lookups after the reader is destroyed");
   check.Equal(cache.GetNumberOfHits(), 8, "hits after the reader is destroyed");
   check.Equal(cache.GetNumberOfCases(), 9, "cases after the reader is destroyed");
-  check.Equal(cache.GetNumberOfKinds(), 2, "kinds after the reader is destroyed");
+  check.Equal(cache.GetNumberOfSymmetryClasses(), 2, "kinds after the reader is destroyed");
   check.That(cache.GetBytes() > bytes, "a new case uses memory");
 }
 

@@ -41,7 +41,7 @@ bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937
       },
       [](const vtkIsotable::Triangle&) {});
     if (cut !=
-      reference::PullExactly(interlume::Polytope::OfShape(shape), kind == vtkIsotable::INTERVAL,
+      reference::PullExactly(interlume::Polytope::FromShape(shape), kind == vtkIsotable::INTERVAL,
         static_cast<std::uint32_t>(key), { ranks.begin(), ranks.end() }))
     {
       std::cerr << "Kind " << kind << ", shape " << shape << ", case " << key

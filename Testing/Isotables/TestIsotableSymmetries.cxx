@@ -219,7 +219,7 @@ void TestOrigins(const Cell& cell, reference::Check& check)
       smallest = std::min(smallest, move(symmetry));
     }
     const std::uint32_t key = move(symmetries.Get()[0]);
-    const CellSymmetries::Origin origin = symmetries.FindOrigin(key);
+    const CellSymmetries::Origin origin = symmetries.FindRepresentative(key);
     check.Equal(origin.Key, smallest, "the origin is the smallest key");
     for (int& digit : digits)
     {

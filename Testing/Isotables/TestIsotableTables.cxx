@@ -182,8 +182,8 @@ void TestHulls()
   Expect(cell24.GetFacets().size() == 24, "24-cell: 24 facets");
   for (const auto& facet : cell24.GetFacets())
   {
-    Expect(
-      facet.Points.Count() == 6 && cell24.FacetsOf(facet.Points).size() == 8, "24-cell: octahedra");
+    Expect(facet.Points.Count() == 6 && cell24.GetFacetsOfFace(facet.Points).size() == 8,
+      "24-cell: octahedra");
   }
   const Polytope polytope = Polytope::FromVertices(4, points);
   Expect(polytope.Edges.size() == 96, "24-cell: 96 edges");

@@ -12,8 +12,8 @@
 namespace reference
 {
 
-RgbaImage ExpectReference(Check& check, const std::string& name, vtkShadowedSliceMapper* mapper,
-  const ShadowScene& scene, const ImageBound& bound)
+RgbaImage ExpectSimilarToReference(Check& check, const std::string& name,
+  vtkShadowedSliceMapper* mapper, const ShadowScene& scene, const ImageBound& bound)
 {
   // The mapper draws first, because rendering updates the positions of lights that follow the
   // camera.
@@ -24,11 +24,11 @@ RgbaImage ExpectReference(Check& check, const std::string& name, vtkShadowedSlic
   return found;
 }
 
-RgbaImage ExpectReference(
+RgbaImage ExpectSimilarToReference(
   Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound)
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
-  return ExpectReference(check, name, mapper, scene, bound);
+  return ExpectSimilarToReference(check, name, mapper, scene, bound);
 }
 
 void ExpectSimilar(Check& check, const std::string& name, const RgbaImage& found,

@@ -24,10 +24,10 @@ struct ImageBound
 /// Draws a scene with the mapper and with the reference renderer, and prints the difference.
 /// Expects that the difference is within the bound and that the frame is not empty. Returns the
 /// mapper's frame.
-RgbaImage ExpectReference(Check& check, const std::string& name, vtkShadowedSliceMapper* mapper,
-  const ShadowScene& scene, const ImageBound& bound);
-/// Calls ExpectReference() with a new mapper.
-RgbaImage ExpectReference(
+RgbaImage ExpectSimilarToReference(Check& check, const std::string& name,
+  vtkShadowedSliceMapper* mapper, const ShadowScene& scene, const ImageBound& bound);
+/// Calls ExpectSimilarToReference() with a new mapper.
+RgbaImage ExpectSimilarToReference(
   Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound);
 
 /// Prints the difference of two images. Expects that it is within the bound.

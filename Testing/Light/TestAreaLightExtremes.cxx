@@ -36,7 +36,7 @@ constexpr int Samples = 2;
 /// Returns a scene of two boxes, one in the shadow of the other, without gradient shading.
 ShadowScene BoxScene()
 {
-  auto scene = MakeScene(MakeImage(16, TwoBoxes), MakeSoftProperty(0.4, false));
+  auto scene = MakeScene(MakeImage(16, TwoBoxes), MakeTranslucentProperty(0.4, false));
   scene.Size = { { 16, 16 } };
   return scene;
 }

@@ -152,7 +152,7 @@ void CheckSingleNode(Check& check)
   }
   const interlume::TransferNodes nodes(function);
   check.Equal(nodes.GetNodes().size(), 1, "nodes");
-  check.That(nodes.Limit(range) == range, "the full range");
+  check.That(nodes.ClipRange(range) == range, "the full range");
 }
 
 /// Tests functions with peaks, steps and curves that are much narrower than the data range.

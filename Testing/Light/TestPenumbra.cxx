@@ -31,15 +31,15 @@ void CheckParallel(Check& check)
       {
         const double x = width * i / 40.0;
         const double shadow = -0.2 * ratio;
-        const double expected =
-          isRound ? ReferencePenumbra::GetSegment(x, width) : ReferencePenumbra::GetRamp(x, width);
+        const double expected = isRound ? ReferencePenumbra::GetDiskLightFraction(x, width)
+                                        : ReferencePenumbra::GetRamp(x, width);
         check.Near(scene.GetLightFraction({ shadow + x, 3.0, 1.0 - ratio * distance }), expected,
           1e-12, "visible fraction", 1.0);
       }
     }
   }
   check.SetContext("a segment of a disk");
-  check.Near(ReferencePenumbra::GetSegment(0.25, 1.0),
+  check.Near(ReferencePenumbra::GetDiskLightFraction(0.25, 1.0),
     2.0 / 3.0 + std::sqrt(3.0) / 4.0 / std::acos(-1.0), 1e-12, "half a radius from the center");
 }
 

@@ -19,7 +19,7 @@ int TestShadowAbort(int, char*[])
   {
     check.SetContext(shadows ? "with shadows" : "without shadows");
     ShadowScene scene =
-      MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.6, true));
+      MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeTranslucentProperty(0.6, true));
     scene.Shadows = shadows;
     vtkNew<vtkShadowedSliceMapper> mapper;
     VolumeStage stage(scene.Size);

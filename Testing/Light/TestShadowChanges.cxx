@@ -48,7 +48,7 @@ bool IsLit(const RgbaImage& image)
 /// Returns a property with opacity steps instead of a ramp. The first step has the opacity \a haze.
 vtkSmartPointer<vtkVolumeProperty> MakeStepProperty(double haze)
 {
-  auto property = MakeSoftProperty(0.6, true);
+  auto property = MakeTranslucentProperty(0.6, true);
   vtkNew<vtkPiecewiseFunction> steps;
   steps->AddPoint(0.0, 0.0);
   steps->AddPoint(0.2, 0.0);
@@ -67,7 +67,7 @@ public:
     : Numbers(seed)
     , Images{ MakeImage(40, MakeSphere(0.15, 0.45)), MakeImage(70, TwoBoxes),
       MakeImage({ { 90, 30, 55 } }, { { 0.02, 0.03, 0.01 } }, MakeSphere(0.2, 0.5)) }
-    , Properties{ MakeSoftProperty(0.6, true), MakeStepProperty(0.0), MakeStepProperty(0.1) }
+    , Properties{ MakeTranslucentProperty(0.6, true), MakeStepProperty(0.0), MakeStepProperty(0.1) }
     , Scene(MakeScene(this->Images[0], this->Properties[0]))
     , Stage(this->Scene.Size)
   {

@@ -34,7 +34,7 @@ using namespace reference;
 
 ShadowScene SphereScene()
 {
-  auto scene = MakeScene(MakeImage(20, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.5, true));
+  auto scene = MakeScene(MakeImage(20, MakeSphere(0.15, 0.45)), MakeTranslucentProperty(0.5, true));
   scene.Size = { { 32, 32 } };
   return scene;
 }
@@ -207,7 +207,7 @@ void TestBlocks(Check& check)
     const double b = vtkMath::Norm(Double3{ { x[0] - 0.9, x[1] - 0.9, x[2] - 0.9 } }.data());
     return std::max(0.0, 1.0 - std::min(a, b) / 0.08);
   };
-  auto scene = MakeScene(MakeImage(64, spheres), MakeSoftProperty(0.9, true));
+  auto scene = MakeScene(MakeImage(64, spheres), MakeTranslucentProperty(0.9, true));
   scene.Lights = { MakeDirectionalLight({ { -0.4, -0.3, -1.0 } }) };
   const ReportCopy some = GetReport(scene);
   check.Equal(some->GetCount("Blocks"), 64, "blocks of 16 cells");
@@ -223,8 +223,8 @@ void TestBlocks(Check& check)
   const auto isEmptyFirst = [](vtkInterlumeReport* report)
   { return report->GetText("Features").find("empty-first") != std::string::npos; };
   check.That(isEmptyFirst(some) == isSoftware, "sparse medium: empty regions are drawn first");
-  auto full =
-    MakeScene(MakeImage(20, [](const Double3&) { return 1.0; }), MakeSoftProperty(0.5, true));
+  auto full = MakeScene(
+    MakeImage(20, [](const Double3&) { return 1.0; }), MakeTranslucentProperty(0.5, true));
   check.That(!isEmptyFirst(GetReport(full)), "dense medium: no pass over empty regions");
   scene.Shadows = false;
   scene.Property->ShadeOff();

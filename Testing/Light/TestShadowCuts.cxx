@@ -95,7 +95,7 @@ void ExpectExact(
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetSliceSpacing(0.15);
-  ExpectReference(check, name, mapper, scene, bound);
+  ExpectSimilarToReference(check, name, mapper, scene, bound);
 }
 
 constexpr std::array<double, 6> CroppingPlanes = { { -0.22, 0.31, -0.27, 0.13, -0.4, 0.17 } };
@@ -126,7 +126,7 @@ void TestSubvolume(Check& check)
     homogeneous.CroppingFlags = VTK_CROP_SUBVOLUME;
     ExpectExact(check, "subvolume, " + axes.Name, homogeneous);
     auto lit =
-      MakeScene(MakeOrientedImage(axes, MakeSphere(0.15, 0.6)), MakeSoftProperty(0.9, true));
+      MakeScene(MakeOrientedImage(axes, MakeSphere(0.15, 0.6)), MakeTranslucentProperty(0.9, true));
     lit.Size = { { 48, 48 } };
     lit.CroppingPlanes = CroppingPlanes;
     lit.CroppingFlags = VTK_CROP_SUBVOLUME;
@@ -151,8 +151,8 @@ void TestExtracted(Check& check)
 {
   for (const Axes& axes : GetAxes())
   {
-    auto scene =
-      MakeScene(MakeOrientedImage(axes, MakeSphere(0.15, 0.6)), MakeSoftProperty(0.9, false));
+    auto scene = MakeScene(
+      MakeOrientedImage(axes, MakeSphere(0.15, 0.6)), MakeTranslucentProperty(0.9, false));
     scene.Size = { { 48, 48 } };
     const int extent[6] = { 3, 15, 5, 16, 0, 7 };
     const Double3 first = { { 3.0, 5.0, 0.0 } };
@@ -223,8 +223,8 @@ void TestLitGaps(Check& check)
   {
     for (const int flags : { VTK_CROP_FENCE, VTK_CROP_CROSS })
     {
-      auto scene = MakeScene(
-        MakeOrientedImage(orientations[1], MakeSphere(0.15, 0.7)), MakeSoftProperty(0.5, false));
+      auto scene = MakeScene(MakeOrientedImage(orientations[1], MakeSphere(0.15, 0.7)),
+        MakeTranslucentProperty(0.5, false));
       scene.Size = { { 40, 40 } };
       scene.CroppingPlanes = CroppingPlanes;
       scene.CroppingFlags = flags;
@@ -232,7 +232,7 @@ void TestLitGaps(Check& check)
       {
         scene.Lights = { MakePositionalLight({ { 0.05, 0.1, 0.12 } }) };
       }
-      ExpectReference(check,
+      ExpectSimilarToReference(check,
         "light through gaps, flags " + std::to_string(flags) + (isWithin ? ", from inside" : ""),
         scene, { 0.02, 1.5e-4 });
     }
@@ -267,8 +267,8 @@ void TestCameraPlanes(Check& check)
     // optically thick.
     for (const bool isThick : { false, true })
     {
-      auto lit = MakeScene(
-        MakeOrientedImage(orientations[1], MakeSphere(0.15, 0.6)), MakeSoftProperty(0.6, false));
+      auto lit = MakeScene(MakeOrientedImage(orientations[1], MakeSphere(0.15, 0.6)),
+        MakeTranslucentProperty(0.6, false));
       if (isThick)
       {
         vtkNew<vtkPiecewiseFunction> steps;
@@ -281,7 +281,7 @@ void TestCameraPlanes(Check& check)
       lit.Camera->SetClippingRange(distance - 2.0, distance + 0.03);
       // The light comes from behind the far plane.
       lit.Lights = { MakeDirectionalLight({ { 0.2, 0.5, 1.0 } }) };
-      ExpectReference(check,
+      ExpectSimilarToReference(check,
         std::string("far plane in light, ") + (isThick ? "thick" : "thin") + projection, lit,
         { isThick ? 0.5 : 0.06, 0.0015 });
     }

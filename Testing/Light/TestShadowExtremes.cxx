@@ -71,7 +71,7 @@ public:
 
 ShadowScene SphereScene()
 {
-  auto scene = MakeScene(MakeImage(24, MakeSphere(0.1, 0.45)), MakeSoftProperty(0.4, false));
+  auto scene = MakeScene(MakeImage(24, MakeSphere(0.1, 0.45)), MakeTranslucentProperty(0.4, false));
   scene.Size = { { 48, 48 } };
   return scene;
 }
@@ -212,7 +212,7 @@ void TestMaterials(ShadowTable& table)
   table.Catalogue.Measure("transparent", "fully transparent", "an empty image",
     std::max(std::abs(none[0]), std::abs(none[1])), 0.0);
 
-  auto solid = MakeScene(MakeImage(24, MakeSphere(0.4, 0.45)), MakeSoftProperty(1.0, false));
+  auto solid = MakeScene(MakeImage(24, MakeSphere(0.4, 0.45)), MakeTranslucentProperty(1.0, false));
   solid.Size = { { 48, 48 } };
   solid.Property->SetScalarOpacityUnitDistance(1.0 / 24.0);
   vtkNew<vtkShadowedSliceMapper> mapper;

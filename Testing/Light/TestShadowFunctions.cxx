@@ -79,7 +79,7 @@ void TestOutlier(Check& check)
       {
         ExpectSimilar(check, name, found, expected, { 1e-4, 1e-5 });
       }
-      ExpectReference(check, name + ", reference", scene, { 6e-3, 2e-4 });
+      ExpectSimilarToReference(check, name + ", reference", scene, { 6e-3, 2e-4 });
     }
   }
 }
@@ -174,8 +174,8 @@ void TestOthers(Check& check)
   scene.Property->SetGradientOpacity(gradients);
   scene.Property->GetScalarOpacity()->ClampingOff();
   scene.Image->GetPointData()->GetScalars()->SetComponent(0, 0, 1e7);
-  ExpectReference(check, "an outlier with gradient opacity, transmission and unclamped ends", scene,
-    { 3e-3, 2e-4 });
+  ExpectSimilarToReference(check,
+    "an outlier with gradient opacity, transmission and unclamped ends", scene, { 3e-3, 2e-4 });
 }
 
 /// Returns an image with the same values at the same positions, but with axes reversed by negative
@@ -228,13 +228,13 @@ void TestReversed(Check& check)
   auto scene =
     MakeScene(MakeImage({ { 16, 22, 10 } }, { { 0.06, 0.04, 0.1 } },
                 [](const Double3& x) { return MakeSphere(0.05, 0.45)(x) * (0.4 + 0.6 * x[0]); }),
-      MakeSoftProperty(0.8, true));
+      MakeTranslucentProperty(0.8, true));
   scene.Size = { { 48, 48 } };
   vtkNew<vtkPiecewiseFunction> gradients;
   gradients->AddPoint(0.0, 0.0);
   gradients->AddPoint(0.12, 1.0);
   scene.Property->SetGradientOpacity(gradients);
-  ExpectReference(check, "gradients, anisotropic voxels", scene, { 0.02, 6e-4 });
+  ExpectSimilarToReference(check, "gradients, anisotropic voxels", scene, { 0.02, 6e-4 });
   for (const bool isScattered : { false, true })
   {
     const auto draw = [&](vtkImageData* image)

@@ -51,7 +51,7 @@ vtkSmartPointer<vtkImageData> SmallSphere()
 
 ShadowScene SphereScene(bool shade)
 {
-  return MakeScene(SmallSphere(), MakeSoftProperty(0.5, shade));
+  return MakeScene(SmallSphere(), MakeTranslucentProperty(0.5, shade));
 }
 
 void TestVolumes(Check& check)
@@ -59,11 +59,11 @@ void TestVolumes(Check& check)
   for (bool shade : { false, true })
   {
     const std::string suffix = shade ? ", shaded" : ", not shaded";
-    ExpectReference(check, "soft sphere" + suffix, SphereScene(shade), Soft);
-    ExpectReference(check, "dense sphere" + suffix,
-      MakeScene(MakeImage(24, MakeSphere(0.3, 0.45)), MakeSoftProperty(0.97, shade)), Hard);
-    ExpectReference(check, "two boxes" + suffix,
-      MakeScene(MakeImage(24, TwoBoxes), MakeSoftProperty(0.9, shade)), Hard);
+    ExpectSimilarToReference(check, "soft sphere" + suffix, SphereScene(shade), Soft);
+    ExpectSimilarToReference(check, "dense sphere" + suffix,
+      MakeScene(MakeImage(24, MakeSphere(0.3, 0.45)), MakeTranslucentProperty(0.97, shade)), Hard);
+    ExpectSimilarToReference(check, "two boxes" + suffix,
+      MakeScene(MakeImage(24, TwoBoxes), MakeTranslucentProperty(0.9, shade)), Hard);
   }
 }
 
@@ -84,7 +84,7 @@ void TestTomography(Check& check)
   property->SetAmbient(0.1);
   property->SetDiffuse(0.8);
   property->SetSpecular(0.2);
-  ExpectReference(check, "tomography", MakeScene(image, property), { 0.1, 0.0015 });
+  ExpectSimilarToReference(check, "tomography", MakeScene(image, property), { 0.1, 0.0015 });
 }
 
 void TestScalarTypes(Check& check)
@@ -112,7 +112,7 @@ void TestScalarTypes(Check& check)
     scene.Image = vtkSmartPointer<vtkImageData>::New();
     scene.Image->CopyStructure(doubles);
     scene.Image->GetPointData()->SetScalars(values);
-    ExpectReference(check, values->GetClassName(), scene, Soft);
+    ExpectSimilarToReference(check, values->GetClassName(), scene, Soft);
   }
 }
 
@@ -168,7 +168,7 @@ void TestComponents(Check& check)
       scene.Property->SetAmbient(k, 0.1 + 0.1 * k);
       scene.Property->SetDiffuse(k, 0.8 - 0.1 * k);
     }
-    ExpectReference(check, std::to_string(count) + " independent components", scene, Hard);
+    ExpectSimilarToReference(check, std::to_string(count) + " independent components", scene, Hard);
   }
   for (bool shade : { false, true })
   {
@@ -176,14 +176,14 @@ void TestComponents(Check& check)
     auto scene = SphereScene(shade);
     scene.Property->IndependentComponentsOff();
     AddComponents(scene.Image, { wave, MakeSphere(0.15, 0.45) }, VTK_FLOAT, 1.0);
-    ExpectReference(check, "color and opacity" + suffix, scene, Soft);
+    ExpectSimilarToReference(check, "color and opacity" + suffix, scene, Soft);
     AddComponents(scene.Image, { x, y, wave, MakeSphere(0.15, 0.45) }, VTK_FLOAT, 1.0);
-    ExpectReference(check, "RGB and opacity, float" + suffix, scene, Soft);
+    ExpectSimilarToReference(check, "RGB and opacity, float" + suffix, scene, Soft);
     AddComponents(scene.Image, { x, y, wave, MakeSphere(0.15, 0.45) }, VTK_UNSIGNED_CHAR, 255.0);
     scene.Property->GetScalarOpacity()->RemoveAllPoints();
     scene.Property->GetScalarOpacity()->AddPoint(0.0, 0.0);
     scene.Property->GetScalarOpacity()->AddPoint(255.0, 0.5);
-    ExpectReference(check, "RGB and opacity, unsigned char" + suffix, scene, Soft);
+    ExpectSimilarToReference(check, "RGB and opacity, unsigned char" + suffix, scene, Soft);
   }
 }
 
@@ -195,7 +195,7 @@ void TestArrays(Check& check)
   scene.Image->GetPointData()->GetScalars()->SetName("boxes");
   scene.Image->GetPointData()->AddArray(sphere);
   scene.Array.Name = "f";
-  ExpectReference(check, "array by name", scene, Soft);
+  ExpectSimilarToReference(check, "array by name", scene, Soft);
 
   const auto cells = vtkSmartPointer<vtkDataArray>::Take(sphere->NewInstance());
   cells->SetName("cells");
@@ -209,7 +209,7 @@ void TestArrays(Check& check)
   }
   scene.Image->GetCellData()->AddArray(cells);
   scene.Array = { "cells", true };
-  ExpectReference(check, "cell values", scene, Soft);
+  ExpectSimilarToReference(check, "cell values", scene, Soft);
 }
 
 void TestMaterials(Check& check)
@@ -222,22 +222,23 @@ void TestMaterials(Check& check)
     gradient->AddPoint(0.3, 1.0);
     scene.Property->SetGradientOpacity(gradient);
     scene.Property->SetScalarOpacityUnitDistance(0.02);
-    ExpectReference(check, shade ? "gradient opacity, shaded" : "gradient opacity", scene, Soft);
+    ExpectSimilarToReference(
+      check, shade ? "gradient opacity, shaded" : "gradient opacity", scene, Soft);
   }
   auto scene = SphereScene(true);
   scene.Lights[0]->SetShadowAttenuation(0.5);
-  ExpectReference(check, "half of the shadow strength", scene, Soft);
+  ExpectSimilarToReference(check, "half of the shadow strength", scene, Soft);
   scene = SphereScene(true);
   scene.TransmissionColor = vtkSmartPointer<vtkColorTransferFunction>::New();
   scene.TransmissionColor->AddRGBPoint(0.0, 1.0, 0.5, 0.0);
   scene.TransmissionColor->AddRGBPoint(1.0, 0.8, 0.1, 0.3);
-  ExpectReference(check, "colored transmission", scene, Soft);
+  ExpectSimilarToReference(check, "colored transmission", scene, Soft);
   scene = SphereScene(false);
   vtkNew<vtkPiecewiseFunction> gray;
   gray->AddPoint(0.0, 0.3);
   gray->AddPoint(1.0, 0.9);
   scene.Property->SetColor(gray);
-  ExpectReference(check, "gray", scene, Soft);
+  ExpectSimilarToReference(check, "gray", scene, Soft);
 }
 
 void TestCuts(Check& check)
@@ -245,11 +246,11 @@ void TestCuts(Check& check)
   auto scene = SphereScene(true);
   scene.CroppingPlanes = { { -0.22, 0.31, -0.27, 0.13, -0.4, 0.17 } };
   scene.CroppingFlags = VTK_CROP_SUBVOLUME;
-  ExpectReference(check, "subvolume", scene, Cut);
+  ExpectSimilarToReference(check, "subvolume", scene, Cut);
   for (int flags : { VTK_CROP_FENCE, VTK_CROP_INVERTED_CROSS })
   {
     scene.CroppingFlags = flags;
-    ExpectReference(check, "cropping " + std::to_string(flags), scene, Cut);
+    ExpectSimilarToReference(check, "cropping " + std::to_string(flags), scene, Cut);
   }
   scene.CroppingFlags = 0;
   for (const Double3& normal : { Double3{ { 0.0, -1.0, 0.3 } }, Double3{ { -0.8, 0.2, -0.5 } } })
@@ -260,7 +261,7 @@ void TestCuts(Check& check)
     vtkMath::Normalize(n.data());
     plane->SetNormal(n.data());
     scene.ClippingPlanes.emplace_back(plane);
-    ExpectReference(
+    ExpectSimilarToReference(
       check, "clipping planes, " + std::to_string(scene.ClippingPlanes.size()), scene, Cut);
   }
 }
@@ -326,7 +327,7 @@ void TestCameras(Check& check)
       auto scene = SphereScene(true);
       scene.Size = { { 48, 32 } };
       scene.Camera = LookAt(scene.Image, direction, parallel);
-      ExpectReference(check,
+      ExpectSimilarToReference(check,
         std::string(parallel ? "parallel" : "perspective") + " along " +
           std::to_string(direction[0]) + ", " + std::to_string(direction[1]) + ", " +
           std::to_string(direction[2]),
@@ -338,11 +339,11 @@ void TestCameras(Check& check)
   scene.Camera->SetPosition(0.1, 0.1, 0.2);
   scene.Camera->SetFocalPoint(0.0, 0.0, -1.0);
   scene.Camera->SetClippingRange(5e-4, 10.0);
-  ExpectReference(check, "camera inside the volume", scene, { 0.02, 0.001 });
+  ExpectSimilarToReference(check, "camera inside the volume", scene, { 0.02, 0.001 });
   scene = SphereScene(true);
   scene.Camera->SetWindowCenter(0.3, -0.2);
   scene.Camera->SetRoll(40.0);
-  ExpectReference(check, "shifted and rolled camera", scene, Soft);
+  ExpectSimilarToReference(check, "shifted and rolled camera", scene, Soft);
 }
 
 void TestTransforms(Check& check)
@@ -350,10 +351,10 @@ void TestTransforms(Check& check)
   auto scene = SphereScene(true);
   scene.Image = MakeImage({ { 16, 24, 10 } }, { { 0.06, 0.04, 0.12 } }, MakeSphere(0.15, 0.45));
   scene.Camera = LookAt(scene.Image, { { -0.3, -0.4, -1.0 } }, false);
-  ExpectReference(check, "anisotropic voxels", scene, Soft);
+  ExpectSimilarToReference(check, "anisotropic voxels", scene, Soft);
   scene.Image->SetDirectionMatrix(0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0);
   scene.Camera = LookAt(scene.Image, { { -0.3, -0.4, -1.0 } }, false);
-  ExpectReference(check, "rotated axes", scene, Soft);
+  ExpectSimilarToReference(check, "rotated axes", scene, Soft);
   scene = SphereScene(true);
   vtkNew<vtkTransform> transform;
   transform->Translate(10.0, -20.0, 5.0);
@@ -363,13 +364,13 @@ void TestTransforms(Check& check)
   scene.Camera = LookAt(scene.Image, { { -0.3, -0.4, -1.0 } }, false, scene.Matrix);
   scene.CroppingPlanes = { { -0.3, 0.3, -0.3, 0.3, -0.3, 0.1 } };
   scene.CroppingFlags = VTK_CROP_SUBVOLUME;
-  ExpectReference(check, "matrix of the volume", scene, Cut);
+  ExpectSimilarToReference(check, "matrix of the volume", scene, Cut);
 }
 
 /// The mapper's settings change the accuracy of frames, but nothing else.
 void TestSettings(Check& check)
 {
-  const auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeSoftProperty(0.9, true));
+  const auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeTranslucentProperty(0.9, true));
   const RgbaImage expected = MakeShadowImage(scene);
   const auto draw = [&](const std::function<void(vtkShadowedSliceMapper*)>& set)
   {

@@ -47,7 +47,7 @@ int TestShadowSelection(int, char*[])
 {
   Check check;
   const ShadowScene scene =
-    MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.6, true));
+    MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeTranslucentProperty(0.6, true));
   vtkNew<vtkShadowedSliceMapper> mapper;
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);

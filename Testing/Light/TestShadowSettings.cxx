@@ -29,7 +29,7 @@ ShadowScene RampScene(bool shade)
 {
   auto scene =
     MakeScene(MakeImage(Cells, [](const Double3& x) { return 0.3 * x[0] + 0.7 * (1.0 - x[2]); }),
-      MakeSoftProperty(0.4, shade));
+      MakeTranslucentProperty(0.4, shade));
   scene.Lights = { MakeDirectionalLight({ { 0.832, 0.358, -0.422 } }) };
   return scene;
 }

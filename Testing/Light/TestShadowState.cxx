@@ -45,7 +45,7 @@ constexpr double Byte = 1.0 / 255.0;
 
 ShadowScene SphereScene()
 {
-  auto scene = MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeSoftProperty(0.6, true));
+  auto scene = MakeScene(MakeImage(16, MakeSphere(0.15, 0.45)), MakeTranslucentProperty(0.6, true));
   scene.Size = { { 51, 40 } };
   return scene;
 }

@@ -8,7 +8,7 @@
 #include "Support/Images/ShadowCases.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "SceneStage.h"
-#include "VolumePile.h"
+#include "MixedSceneWindow.h"
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
@@ -116,7 +116,7 @@ MixedScene MakeScene(
 void TestScene(
   Check& check, const std::string& name, const MixedScene& scene, const ImageBound& bound)
 {
-  VolumePile pile(scene);
+  MixedSceneWindow pile(scene);
   const RgbaImage image = pile.Draw();
   const auto volumes = static_cast<int>(scene.Volumes.size());
   check.Equal(pile.GetReport()->GetCount("VolumesInSharedSlices"), volumes,
@@ -126,7 +126,7 @@ void TestScene(
   check.Equal(pile.Mappers[0]->GetReport()->GetCount("LightBuffers"),
     static_cast<int>(scene.Lights.size()), name + ": one buffer per light");
   ExpectSimilar(check, name, image, MakeMixedImage(scene), bound);
-  VolumePile reversed(scene, true);
+  MixedSceneWindow reversed(scene, true);
   check.Near(CompareImages(image, reversed.Draw()).Max, 0.0, 1e-6,
     name + ": same image in reverse order", 1.0);
 }
@@ -162,9 +162,9 @@ void TestBoxes(Check& check)
 }
 
 /// Draws a scene with the pass, after applying \a change if it is set.
-RgbaImage Draw(const MixedScene& scene, const std::function<void(VolumePile&)>& change = {})
+RgbaImage Draw(const MixedScene& scene, const std::function<void(MixedSceneWindow&)>& change = {})
 {
-  VolumePile pile(scene);
+  MixedSceneWindow pile(scene);
   if (change)
   {
     change(pile);
@@ -242,7 +242,7 @@ void TestThickHalves(Check& check)
     const auto draw = [&](const std::vector<SceneVolume>& volumes)
     {
       return Draw(MakeScene(volumes, { { side, 0.1, -0.4 } }, view),
-        [](VolumePile& pile)
+        [](MixedSceneWindow& pile)
         {
           for (vtkShadowedSliceMapper* mapper : pile.Mappers)
           {
@@ -269,7 +269,7 @@ void TestRefinement(Check& check)
   for (const double spacing : { 0.16, 0.08, 0.04, 0.02 })
   {
     const RgbaImage found = Draw(scene,
-      [spacing](VolumePile& pile)
+      [spacing](MixedSceneWindow& pile)
       {
         for (vtkShadowedSliceMapper* mapper : pile.Mappers)
         {
@@ -426,8 +426,8 @@ void TestSoftShadows(Check& check)
   vtkMath::MultiplyScalar(up.data(), diameter);
   scene.Size = { { 20, 20 } };
   scene.Lights = { { MakeRoundLight(position, diameter),
-    MakeRoundPoints(position, side, up, 40) } };
-  VolumePile pile(scene);
+    MakeEllipseLightPoints(position, side, up, 40) } };
+  MixedSceneWindow pile(scene);
   const RgbaImage image = pile.Draw();
   vtkInterlumeReport* report = pile.Mappers[1]->GetReport();
   check.Equal(report->GetCount("LightLayers"), 8, "soft shadows: layers for both volumes");
@@ -474,7 +474,7 @@ void TestSettings(Check& check)
     MakeScene({ MakeMedium({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED),
                 MakeMedium({ { -0.2, 0.5, -0.2, 0.3, 0.1, 0.4 } }, 3.0, BLUE) },
       { { 0.3, 0.2, -1.0 } }, { { 0.0, 0.6, -0.8 } });
-  VolumePile pile(scene);
+  MixedSceneWindow pile(scene);
   vtkShadowedSliceMapper* first = pile.Mappers[0];
   vtkShadowedSliceMapper* second = pile.Mappers[1];
   const auto draw = [&]() -> vtkInterlumeReport*
@@ -531,7 +531,7 @@ void TestSeparate(Check& check)
     MakeMedium({ { 0.6, 0.601, -0.0005, 0.0005, 0.0, 0.001 } }, 100.0, BLUE);
   const Double3 light{ { 0.3, 0.2, -1.0 } };
   const Double3 view{ { 0.0, 0.6, -0.8 } };
-  VolumePile pile(MakeScene({ large, small }, light, view));
+  MixedSceneWindow pile(MakeScene({ large, small }, light, view));
   pile.Draw();
   check.Equal(pile.GetReport()->GetCount("VolumesInSharedSlices"), 0, "1 to 1000: separate");
   check.That(pile.GetReport()->GetText("SeparateVolumesReason").find("slices") != std::string::npos,
@@ -544,12 +544,12 @@ void TestSeparate(Check& check)
     { MakeRectangle({ { -1.0, -1.0, -0.55 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }), {} });
   MixedScene both = single;
   both.Volumes.push_back(MakeMedium({ { 0.2, 0.6, -0.2, 0.2, 0.0, 0.6 } }, 3.0, BLUE));
-  VolumePile one(single);
+  MixedSceneWindow one(single);
   const RgbaImage single1 = one.Draw();
   const auto expected = CopyReport(one.Mappers[0]->GetReport());
   check.Equal(
     one.GetReport()->GetCount("VolumesInSharedSlices"), 0, "one volume: no shared slices");
-  VolumePile two(both);
+  MixedSceneWindow two(both);
   const RgbaImage shared = two.Draw();
   check.Equal(two.GetReport()->GetCount("VolumesInSharedSlices"), 2, "two volumes: shared slices");
   check.That(CompareImages(single1, shared).Max > 0.01, "two volumes: a different image");

@@ -165,7 +165,7 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
   }
   // A sweep may start at the first of its lights if another sweep draws the part of the volume
   // before that light, or if that part is not visible.
-  const bool isFirstHalf = !plan.IsLastOfImage(index);
+  const bool isFirstHalf = !plan.IsLastInImage(index);
   const bool isHalf = isFirstHalf || sweep.IsBehind;
   if (isHalf || (index > 0 && !sweep.IsFrontToBack))
   {
@@ -582,13 +582,13 @@ void CheckHalves(Check& check)
   const interlume::LightSource inside = MakePositional(glm::dvec3(0.1, 0.2, 0.3));
   check.That(count({ inside }) <= full + 1, "a light inside: slabs of one sweep");
   const interlume::SlicePlan plan = Plan(eye, { inside }, space);
-  check.That(plan.IsInFirstImage(0) && plan.IsInFirstImage(1) && !plan.HasFurtherImages(),
+  check.That(plan.IsInFirstImage(0) && plan.IsInFirstImage(1) && !plan.HasMultipleImages(),
     "a light inside: one image");
   // With two lights, the back-to-front sweep starts at the light farther from the camera.
   const interlume::LightSource far = MakePositional(glm::dvec3(0.0, 0.0, -0.2));
   check.That(count({ inside, far }) < 1.8 * full, "two lights inside: fewer than two sweeps");
   const interlume::SlicePlan two = Plan(eye, { inside, far }, space);
-  check.That(two.HasFurtherImages() && two.Sweeps[0].IsFrontToBack && !two.Sweeps[1].IsBehind,
+  check.That(two.HasMultipleImages() && two.Sweeps[0].IsFrontToBack && !two.Sweeps[1].IsBehind,
     "two lights inside: two images, the first of which is complete");
 }
 

@@ -63,7 +63,7 @@ SceneLight MakeReferenceLight(vtkAreaLight* light, int count)
     up[i] = matrix[4 * i + 1] * light->GetSize()[1];
     center[i] = matrix[4 * i + 3];
   }
-  return { light, MakeRoundPoints(center, side, up, count) };
+  return { light, MakeEllipseLightPoints(center, side, up, count) };
 }
 
 struct Case

@@ -25,7 +25,7 @@ int TestSoftShadowChanges(int, char*[])
   const auto pick = [&numbers](int number)
   { return std::min(static_cast<int>(numbers.Get(0.0, number)), number - 1); };
 
-  auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeSoftProperty(0.8, true));
+  auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeTranslucentProperty(0.8, true));
   scene.Size = { { 40, 40 } };
   auto light = vtkSmartPointer<vtkAreaLight>::New();
   light->SetPosition(-2.0, 2.0, 2.0);

@@ -49,7 +49,7 @@ constexpr double Width = 0.5;
 /// Returns the x coordinate of value \a i of a profile. The center of the image is at x = 0.
 double GetPosition(std::size_t i)
 {
-  return (static_cast<double>(i) - 57.5) * GetHalfPlanePixel();
+  return (static_cast<double>(i) - 57.5) * GetHalfPlanePixelWidth();
 }
 
 double GetRamp(double x, double width)
@@ -63,7 +63,7 @@ double GetShift(const std::vector<double>& profile, double width)
   double shift = 0.0;
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
-    shift += (profile[i] - GetRamp(GetPosition(i), width)) * GetHalfPlanePixel();
+    shift += (profile[i] - GetRamp(GetPosition(i), width)) * GetHalfPlanePixelWidth();
   }
   return shift;
 }
@@ -291,7 +291,7 @@ void TestConvolution(Check& check)
 
 ShadowScene BoxesScene(vtkLight* light)
 {
-  auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeSoftProperty(0.8, false));
+  auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeTranslucentProperty(0.8, false));
   scene.Lights = { light };
   scene.Size = { { 48, 48 } };
   return scene;

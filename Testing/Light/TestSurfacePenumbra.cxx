@@ -244,7 +244,7 @@ void TestFoot(Check& check)
       {
         const double x = ((i + 0.5) / pixels - 0.5) * size;
         const double edge = offset + x * (lightHeight - height) / height;
-        const double exact = isRound ? ReferencePenumbra::GetSegment(edge, lightSize)
+        const double exact = isRound ? ReferencePenumbra::GetDiskLightFraction(edge, lightSize)
                                      : ReferencePenumbra::GetRamp(edge, lightSize);
         const double found = with.At(i, pixels / 2)[0] / without.At(i, pixels / 2)[0];
         reference::KeepLargest(largest, std::abs(found - exact));

@@ -130,7 +130,7 @@ void CheckBlocks(const Case& volume, int edge, Check& check)
   check.That(!material.Build(property, samples, nullptr), "materials");
   interlume::VolumeBlocks blocks;
   blocks.Build(samples, edge);
-  check.Equal(blocks.GetNumberVisible(), 0, "no block is visible before classification");
+  check.Equal(blocks.GetNumberOfVisibleBlocks(), 0, "no block is visible before classification");
   blocks.Classify(material);
 
   int count = 1;
@@ -174,7 +174,7 @@ void CheckBlocks(const Case& volume, int edge, Check& check)
     check.That(!found || isAllowed, "not visible: block " + name);
     visible += found ? 1 : 0;
   }
-  check.Equal(blocks.GetNumberVisible(), visible, "visible blocks");
+  check.Equal(blocks.GetNumberOfVisibleBlocks(), visible, "visible blocks");
 }
 
 /// Blocks that are joined from small blocks equal blocks that are computed from the samples.

@@ -316,7 +316,7 @@ void CheckThreads(Check& check)
         samples.Scale == expected.Scale,
       "the same range");
   };
-  ForThreads("samples", compare, check);
+  ForEachThreadCount("samples", compare, check);
 }
 
 }

@@ -228,7 +228,7 @@ void CheckBlocks(Check& check)
   block->GetPointData()->GetGlobalIds()->SetNumberOfTuples(17);
   vtkNew<vtkTetrahedralMesher> mesher;
   mesher->SetInputDataObject(block);
-  const std::string message = MessagesOf(mesher);
+  const std::string message = UpdateAndGetErrors(mesher);
   check.Contains(message, "\"ids\" has 17 tuples; 18 are needed");
 }
 
@@ -348,7 +348,7 @@ void CheckTooFew(Check& check)
         check.SetContext("type " + std::to_string(type) + ", " + std::to_string(has) + " points");
         vtkNew<vtkTetrahedralMesher> mesher;
         mesher->SetInputData(mesh);
-        const std::string message = MessagesOf(mesher);
+        const std::string message = UpdateAndGetErrors(mesher);
         check.That(message.find("Cell 8 (") != std::string::npos &&
             message.find("; " + std::to_string(needed) + " are needed") != std::string::npos,
           "error: " + message);

@@ -69,7 +69,7 @@ int TestTetrahedralMesherIntervals(int, char*[])
   CheckBox(MakeConcaveMesh({ 2, 2, 3 }, 0.15), { 4, 4, 3 }, check);
   CheckTiles(MakeConcaveMesh({ 3, 3, 3 }, 0.15), check);
   check.SetContext("surface");
-  auto box = MakeBoxes();
+  auto box = MakeEmptySurface();
   AppendBox(box, { 0, 0, 0 }, { 1, 2, 3 });
   CheckBox(box, { 1, 2, 3 }, check);
   CheckTiles(MakeTorus(24, 12), check);

@@ -24,7 +24,7 @@ void CheckRuns(vtkDataSet* input, Check& check)
   mesher->SetInputDataObject(input);
   mesher->SetMaximumVolume(0.01);
   ProgressWatch watch;
-  Observe(mesher, watch);
+  ObserveProgress(mesher, watch);
   mesher->Update();
   vtkNew<vtkUnstructuredGrid> first;
   first->DeepCopy(mesher->GetOutput());
@@ -55,7 +55,7 @@ void CheckRuns(vtkDataSet* input, Check& check)
 /// Aborting interrupts TetGen within seconds, although meshing would take minutes.
 void CheckAbortWithinTetGen(Check& check)
 {
-  auto box = MakeBoxes();
+  auto box = MakeEmptySurface();
   AppendBox(box, { 0, 0, 0 }, { 1, 1, 1 });
   vtkNew<vtkTetrahedralMesher> mesher;
   mesher->SetInputData(box);
@@ -63,7 +63,7 @@ void CheckAbortWithinTetGen(Check& check)
   mesher->SetMaximumNumberOfAddedPoints(100000000);
   ProgressWatch watch;
   watch.AbortAfter = 4;
-  Observe(mesher, watch);
+  ObserveProgress(mesher, watch);
   const auto start = std::chrono::steady_clock::now();
   mesher->Update();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

@@ -124,7 +124,7 @@ void CheckSources(Check& check)
 void CheckConcavePolygons(Check& check)
 {
   check.SetContext("an L of concave polygons");
-  auto surface = MakeBoxes();
+  auto surface = MakeEmptySurface();
   const double ring[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
   for (int k = 0; k < 2; ++k)
   {
@@ -148,7 +148,7 @@ void CheckShells(Check& check)
   for (bool inward : { false, true })
   {
     check.SetContext(inward ? "shells facing in and out" : "shells facing out");
-    auto boxes = MakeBoxes();
+    auto boxes = MakeEmptySurface();
     AppendBox(boxes, { 1, 1, 1 }, { 9, 9, 9 }, inward);
     AppendBox(boxes, { 0, 0, 0 }, { 10, 10, 10 });
     AppendBox(boxes, { 20, 0, 0 }, { 21, 1, 1 });
@@ -168,7 +168,7 @@ void CheckShells(Check& check)
 void CheckWalls(Check& check)
 {
   check.SetContext("boxes that share a wall");
-  auto boxes = MakeBoxes();
+  auto boxes = MakeEmptySurface();
   AppendBox(boxes, { 0, 0, 0 }, { 1, 1, 1 });
   AppendBox(boxes, { 1, 0, 0 }, { 3, 1, 1 });
   auto mesh = MeshOf(boxes);
@@ -235,7 +235,7 @@ void CheckContacts(Check& check)
     for (bool isTurned : { false, true })
     {
       check.SetContext(contact.Name + std::string(isTurned ? ", rotated" : ""));
-      auto surface = MakeBoxes();
+      auto surface = MakeEmptySurface();
       std::vector<double> volumes;
       for (const auto& box : contact.Boxes)
       {
@@ -270,7 +270,7 @@ void CheckContacts(Check& check)
 void CheckFilledCavity(Check& check)
 {
   check.SetContext("a filled cavity");
-  auto boxes = MakeBoxes();
+  auto boxes = MakeEmptySurface();
   AppendBox(boxes, { -2, -2, -2 }, { 2, 2, 2 });
   AppendBox(boxes, { -1, -1, -1 }, { 1, 1, 1 }, true);
   AppendBox(boxes, { -1, -1, -1 }, { 1, 1, 1 });
@@ -284,7 +284,7 @@ void CheckPointContacts(Check& check)
   for (bool isEdge : { false, true })
   {
     check.SetContext(isEdge ? "an edge on a face" : "a point on a face");
-    auto surface = MakeBoxes();
+    auto surface = MakeEmptySurface();
     AppendBox(surface, { 0, 0, 0 }, { 1, 1, 1 });
     vtkPoints* points = surface->GetPoints();
     const vtkIdType a = points->InsertNextPoint(0.2, 0.3, 1);
@@ -305,7 +305,7 @@ void CheckPointContacts(Check& check)
 void CheckDiagonals(Check& check)
 {
   check.SetContext("a wall with other diagonals");
-  auto surface = MakeBoxes();
+  auto surface = MakeEmptySurface();
   AppendBox(surface, { 0, 0, 0 }, { 1, 1, 1 });
   AppendBox(surface, { 1, 0, 0 }, { 2, 1, 1 });
   vtkNew<vtkCellArray> triangles;
@@ -331,20 +331,20 @@ void CheckDiagonals(Check& check)
 void CheckContactError(Check& check)
 {
   check.SetContext("SplitContacts off");
-  auto surface = MakeBoxes();
+  auto surface = MakeEmptySurface();
   AppendBox(surface, { 0, 0, 0 }, { 1, 1, 1 });
   AppendBox(surface, { 0.25, 0.25, 1 }, { 0.75, 0.75, 2 });
   vtkNew<vtkTetrahedralMesher> mesher;
   mesher->SetInputData(surface);
   mesher->SplitContactsOff();
-  check.Contains(MessagesOf(mesher), "Cells 1 and 6 touch");
+  check.Contains(UpdateAndGetErrors(mesher), "Cells 1 and 6 touch");
   check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells");
 }
 
 void CheckPlanarGrid(Check& check)
 {
   check.SetContext("triangles in an unstructured grid");
-  auto boxes = MakeBoxes();
+  auto boxes = MakeEmptySurface();
   AppendBox(boxes, { 0, 0, 0 }, { 1, 2, 3 });
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(boxes->GetPoints());

@@ -22,17 +22,21 @@ int TestPictureTurn(int, char*[])
     odd.Add(image);
   }
   check.Near(even.GetMean(), 0.01 * 49.5 / 4.0, 1e-12, "mean of red");
-  check.Near(even.GetMeanBend().Largest, 0.0, 1e-12, "uniform motion", 1.0);
-  check.Near(even.GetChangeBend().Largest, 0.0, 1e-12, "uniform changes", 1.0);
-  check.Near(odd.GetMeanBend().Largest, 0.125, 1e-12, "one frame that differs");
-  check.Equal(odd.GetMeanBend().At, 17, "index of that frame");
-  check.Near(odd.GetMeanBend().P95, 0.0, 1e-12, "all frames except three are uniform", 1.0);
-  check.Equal(odd.GetMeanBend().Outliers, 3, "outliers: that frame and its neighbors");
-  check.Equal(even.GetMeanBend().Outliers, 0, "uniform motion has no outlier");
+  check.Near(even.GetSecondDifferencesOfMean().Largest, 0.0, 1e-12, "uniform motion", 1.0);
+  check.Near(even.GetSecondDifferencesOfChange().Largest, 0.0, 1e-12, "uniform changes", 1.0);
+  check.Near(odd.GetSecondDifferencesOfMean().Largest, 0.125, 1e-12, "one frame that differs");
+  check.Equal(odd.GetSecondDifferencesOfMean().At, 17, "index of that frame");
+  check.Near(
+    odd.GetSecondDifferencesOfMean().P95, 0.0, 1e-12, "all frames except three are uniform", 1.0);
+  check.Equal(
+    odd.GetSecondDifferencesOfMean().Outliers, 3, "outliers: that frame and its neighbors");
+  check.Equal(even.GetSecondDifferencesOfMean().Outliers, 0, "uniform motion has no outlier");
   // Both the change to the differing frame and the change back are outliers.
-  check.Near(odd.GetChangeBend().Largest, 0.245, 1e-12, "a change that differs");
-  check.Near(odd.GetChangeBend().P95, 0.0, 1e-12, "all changes except four are uniform", 1.0);
-  check.Equal(odd.GetChangeBend().Outliers, 2, "outliers: both changes, but not their neighbors");
+  check.Near(odd.GetSecondDifferencesOfChange().Largest, 0.245, 1e-12, "a change that differs");
+  check.Near(
+    odd.GetSecondDifferencesOfChange().P95, 0.0, 1e-12, "all changes except four are uniform", 1.0);
+  check.Equal(odd.GetSecondDifferencesOfChange().Outliers, 2,
+    "outliers: both changes, but not their neighbors");
   check.Equal(
     MotionOutliers::Measure({ 1.0, 5.0 }, 0.1, 1.0).At, 0, "two numbers have no second difference");
   // The second difference at index 50 is \a one, its two neighbors are (1 + \a one) / 2, and all

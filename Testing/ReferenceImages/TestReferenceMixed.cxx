@@ -244,8 +244,8 @@ void TestPenumbra(Check& check)
       auto scene = MakeScene(0.5 * std::min(dz, 1.0), MakePositionalLight(center));
       const Double3 side = { { size, 0.0, 0.0 } };
       const Double3 up = { { 0.0, size, 0.0 } };
-      scene.Lights[0].Points =
-        isRound ? MakeRoundPoints(center, side, up, 256) : MakeSquarePoints(center, side, up, 16);
+      scene.Lights[0].Points = isRound ? MakeEllipseLightPoints(center, side, up, 256)
+                                       : MakeParallelogramLightPoints(center, side, up, 16);
       scene.Surfaces = { { MakePlate(0.0), {} } };
       const RgbaImage lit = MakeMixedImage(scene);
       scene.Surfaces.push_back({ MakePlate(dz, -5.0, 0.0), {} });
@@ -262,8 +262,8 @@ void TestPenumbra(Check& check)
   // For a directional light, half the penumbra width is the distance times the tangent of the half
   // angle.
   auto scene = MakeScene(0.2, MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }));
-  scene.Lights[0].Points =
-    MakeSquarePoints({ { 0.0, 0.0, 1.0 } }, { { size, 0.0, 0.0 } }, { { 0.0, size, 0.0 } }, 16);
+  scene.Lights[0].Points = MakeParallelogramLightPoints(
+    { { 0.0, 0.0, 1.0 } }, { { size, 0.0, 0.0 } }, { { 0.0, size, 0.0 } }, 16);
   scene.Surfaces = { { MakePlate(0.0), {} }, { MakePlate(0.5, -5.0, 0.0), {} } };
   const RgbaImage image = MakeMixedImage(scene);
   for (int i = 0; i < Width; ++i)
@@ -340,9 +340,9 @@ void TestThreads(Check& check)
   auto scene = MakeScene(1.0, MakePositionalLight({ { 0.3, 0.2, 2.0 } }));
   scene.Size = { { 16, 16 } };
   scene.Lights[0].Points =
-    MakeRoundPoints({ { 0.3, 0.2, 2.0 } }, { { 0.5, 0.0, 0.0 } }, { { 0.0, 0.5, 0.0 } }, 5);
+    MakeEllipseLightPoints({ { 0.3, 0.2, 2.0 } }, { { 0.5, 0.0, 0.0 } }, { { 0.0, 0.5, 0.0 } }, 5);
   scene.Volumes = { reference::MakeScene(
-    MakeImage(8, MakeSphere(0.2, 0.45)), MakeSoftProperty(0.3, true)) };
+    MakeImage(8, MakeSphere(0.2, 0.45)), MakeTranslucentProperty(0.3, true)) };
   scene.Surfaces = { { MakePlate(-0.2), {} }, { MakePlate(0.1, -5.0, 0.0), {} } };
   scene.Surfaces[1].Actor->GetProperty()->SetOpacity(0.5);
   std::vector<double> first;

@@ -63,7 +63,7 @@ void TestSlab(Check& check)
       int inside = 0;
       for (const auto& [j, i] : AllIndices(settings.Size[1], settings.Size[0]))
       {
-        const double chord = BoxChord(grid, PixelRays(camera, settings.Size).Get(i, j));
+        const double chord = GetChordLength(grid, PixelRays(camera, settings.Size).Get(i, j));
         const double alpha = -std::expm1(-extinction * chord);
         check.Near(image.At(i, j)[3], alpha, Bound, "alpha of a slab", 1e-6 * extinction);
         check.Near(image.At(i, j)[0], 0.5 * alpha, Bound, "red of a slab", 1e-6 * extinction);
@@ -80,7 +80,7 @@ void TestLinear(Check& check)
 {
   const auto integral = [](double a, double b, double c0, double c1)
   {
-    StraightPart part;
+    LinearPart part;
     part.Length = 1.0;
     part.Extinction = { { a, b } };
     part.Color = { { { { c0, 1.0, 0.0 } }, { { c1, 1.0, 0.0 } } } };
@@ -102,7 +102,7 @@ void TestLinear(Check& check)
     const double alpha = -std::expm1(-b);
     check.Near(constant.Seen[0], 1.0 - alpha / b, Bound, "decreasing color", 1.0);
   }
-  StraightPart weighted;
+  LinearPart weighted;
   weighted.Length = 3.0;
   weighted.Extinction = { { 1.0, 2.0 } };
   weighted.Weight = { { 0.5, 0.25 } };
@@ -127,7 +127,7 @@ void TestAgainstRayIntegrator(Check& check)
   for (int run = 0; run < 200; ++run)
   {
     const double ends[2] = { uniform(random), uniform(random) };
-    StraightPart part;
+    LinearPart part;
     part.Length = 3.0 * uniform(random);
     for (int side = 0; side < 2; ++side)
     {
@@ -155,7 +155,7 @@ void TestAgainstRayIntegrator(Check& check)
 void TestTwoSlabs(Check& check)
 {
   auto grid = MakeBox({ { 2, 2, 2 } });
-  AddSlabs(grid, "IntervalId", 2, 2);
+  AddSlabIndices(grid, "IntervalId", 2, 2);
   auto camera = LookAt(grid, { { 0.0, 0.0, 1.0 } }, true);
   CameraSettings settings;
   settings.Size = { { 8, 8 } };
@@ -213,7 +213,7 @@ void TestAverage(Check& check)
   auto camera = LookAt(grid, { { 0.0, 0.0, 1.0 } }, true);
   CameraSettings settings;
   settings.Size = { { 9, 9 } };
-  AddLinear(grid, "depth", 0.0, { { 0.0, 0.0, 1.0 } });
+  AddLinearArray(grid, "depth", 0.0, { { 0.0, 0.0, 1.0 } });
   settings.Arrays.Scalars = "depth";
   settings.Mode = Integration::AverageColor;
   // With a linear opacity function, the mean is exact for segments of any length.
@@ -292,7 +292,7 @@ void TestSlivers(Check& check)
     const RgbaImage image = MakeReferenceImage(grid, property, camera, settings);
     for (const auto& [j, i] : AllIndices(16, 16))
     {
-      const double chord = BoxChord(grid, PixelRays(camera, settings.Size).Get(i, j));
+      const double chord = GetChordLength(grid, PixelRays(camera, settings.Size).Get(i, j));
       check.Near(image.At(i, j)[3], -std::expm1(-chord / thickness), 1e-8, "thin tetrahedra", 1.0);
     }
   }

@@ -219,7 +219,7 @@ void TestGradient(Check& check)
     matrix->MultiplyPoint(x, x);
     image->GetPointData()->GetScalars()->SetComponent(id, 0, vtkMath::Dot(g.data(), x));
   }
-  const ReferenceImage found(image, {}, matrix);
+  const ImageInterpolator found(image, {}, matrix);
   const Double3 inside = { { 1.3, 2.4, 3.5 } };
   const Double3 gradient = found.GetGradient(inside, 0);
   for (int axis = 0; axis < 3; ++axis)
@@ -316,7 +316,7 @@ void TestRefinement(Check& check)
     for (bool shade : { false, true })
     {
       auto scene =
-        MakeScene(MakeImage(16, MakeSphere(0.2, 0.45)), MakeSoftProperty(opacity, shade));
+        MakeScene(MakeImage(16, MakeSphere(0.2, 0.45)), MakeTranslucentProperty(opacity, shade));
       scene.Size = { { 24, 24 } };
       scene.Lights.push_back(MakePositionalLight({ { 0.7, 0.8, 0.9 } }));
       const ImageError error = CompareImages(MakeShadowImage(scene), MakeShadowImage(scene, 3));

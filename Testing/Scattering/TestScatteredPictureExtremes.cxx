@@ -65,7 +65,8 @@ struct Range
 
 ShadowScene MakeSmallScene(int cells = 12, double opacity = 0.5)
 {
-  auto scene = MakeScene(MakeImage(cells, MakeSphere(0.1, 0.45)), MakeSoftProperty(opacity, false));
+  auto scene =
+    MakeScene(MakeImage(cells, MakeSphere(0.1, 0.45)), MakeTranslucentProperty(opacity, false));
   return scene;
 }
 
@@ -173,7 +174,7 @@ void TestMedia(Table& table)
   table.Draw("one-voxel", "a volume of one voxel", one, none, 4.0);
   auto flat = MakeScene(
     MakeImage({ { 16, 16, 1 } }, { { 0.06, 0.06, 2e-3 } }, [](const Double3&) { return 1.0; }),
-    MakeSoftProperty(0.9, false));
+    MakeTranslucentProperty(0.9, false));
   table.Draw("sheet", "a sheet with a thickness of 1/500 of its width", flat, none, 4.0);
   auto values = MakeSmallScene();
   vtkDataArray* array = values.Image->GetPointData()->GetScalars();

@@ -36,7 +36,7 @@ using Mapper = vtkShadowedSliceMapper;
 struct State
 {
   State()
-    : Scene(MakeScene(MakeImage(12, TwoBoxes), MakeSoftProperty(0.8, false)))
+    : Scene(MakeScene(MakeImage(12, TwoBoxes), MakeTranslucentProperty(0.8, false)))
   {
     this->Scene.Size = { { 24, 24 } };
     this->Mapper->SetScatteringModeToFull();

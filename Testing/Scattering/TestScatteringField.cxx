@@ -285,7 +285,7 @@ void TestFurnace(Check& check)
 /// image.
 void TestInvariance(Check& check)
 {
-  auto scene = MakeScene(MakeImage(64, MakeSphere(0.1, 0.45)), MakeSoftProperty(0.6, false));
+  auto scene = MakeScene(MakeImage(64, MakeSphere(0.1, 0.45)), MakeTranslucentProperty(0.6, false));
   vtkNew<vtkColorTransferFunction> albedo;
   albedo->AddRGBPoint(0.0, 0.95, 0.95, 0.95);
   scene.Size = { { 48, 48 } };

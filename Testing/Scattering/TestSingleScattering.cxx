@@ -29,7 +29,7 @@ const Double3 ViewDirection{ { -0.3, -0.4, -1.0 } };
 
 ShadowScene BoxesScene()
 {
-  auto scene = MakeScene(MakeImage(16, TwoBoxes), MakeSoftProperty(0.7, false));
+  auto scene = MakeScene(MakeImage(16, TwoBoxes), MakeTranslucentProperty(0.7, false));
   scene.Camera = LookAt(scene.Image, ViewDirection, true);
   scene.Size = { { 32, 32 } };
   return scene;

@@ -97,7 +97,8 @@ void TestMapper(Check& check, const std::string& name, vtkAbstractVolumeMapper* 
 int TestVolumePeeling(int, char*[])
 {
   Check check;
-  const auto scene = MakeScene(MakeImage(16, MakeSphere(0.1, 0.45)), MakeSoftProperty(0.4, true));
+  const auto scene =
+    MakeScene(MakeImage(16, MakeSphere(0.1, 0.45)), MakeTranslucentProperty(0.4, true));
   vtkNew<vtkShadowedSliceMapper> slices;
   slices->SetInputData(scene.Image);
   TestMapper(check, "slices", slices, scene.Property, scene.Camera, { { 0.0, 0.0, 0.0 } });

@@ -493,9 +493,9 @@ void CheckSettings(Check& check)
   source->SetAxisTilt(nan, nan);
   source->SetOutputScalarType(VTK_INT);
   check.That(source->GetMTime() == time, "NaN is ignored");
-  const std::string error = ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, 0.0); }) +
-    ErrorsOf(source, [&]() { source->SetAxis(1.0, nan, 0.0); }) +
-    ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, INFINITY); });
+  const std::string error = CaptureErrors(source, [&]() { source->SetAxis(0.0, 0.0, 0.0); }) +
+    CaptureErrors(source, [&]() { source->SetAxis(1.0, nan, 0.0); }) +
+    CaptureErrors(source, [&]() { source->SetAxis(0.0, 0.0, INFINITY); });
   check.That(error.find("Axis 0 0 0 is zero or not finite") != std::string::npos &&
       error.find("Axis 1 nan 0 is zero or not finite") != std::string::npos &&
       error.find("Axis 0 0 inf is zero or not finite") != std::string::npos,

@@ -253,8 +253,8 @@ void CheckFit(Check& check)
   box->SetShapeToBox();
   box->SetLengths(2.0, 1.0, 0.5);
   box->SetCenter(1.0, 0.0, 0.0);
-  check.That(
-    !ErrorsOf(source, [&] { source->FitRoot(20); }).empty(), "an error reports the missing root");
+  check.That(!CaptureErrors(source, [&] { source->FitRoot(20); }).empty(),
+    "an error reports the missing root");
   for (double scale : { 1e-6, 1.0, 1e6 })
   {
     vtkNew<vtkTransform> transform;
@@ -281,27 +281,28 @@ void CheckFit(Check& check)
   }
   box->SetShapeToHalfSpace();
   check.That(
-    !ErrorsOf(source, [&] { source->FitRoot(20); }).empty(), "infinite bounds are an error");
-  check.That(!ErrorsOf(source, [&] { source->FitRoot(20, std::nan("")); }).empty(), "a margin");
+    !CaptureErrors(source, [&] { source->FitRoot(20); }).empty(), "infinite bounds are an error");
+  check.That(
+    !CaptureErrors(source, [&] { source->FitRoot(20, std::nan("")); }).empty(), "a margin");
 }
 
 void CheckRejections(Check& check)
 {
   check.SetContext("refusals");
   vtkNew<vtkConstructiveVolume> source;
-  check.Contains(MessagesOf(source), "no root");
+  check.Contains(UpdateAndGetErrors(source), "no root");
   check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "no points without a root");
   double color[3] = { 1.0, 1.0, 1.0 };
   const double x[3] = { 0.0, 0.0, 0.0 };
-  check.That(!ErrorsOf(source, [&] { source->Evaluate(x, color); }).empty() && color[0] == 0.0,
+  check.That(!CaptureErrors(source, [&] { source->Evaluate(x, color); }).empty() && color[0] == 0.0,
     "no root to evaluate");
   vtkNew<vtkSpatialOperation> root;
   source->SetRoot(root);
-  check.Contains(MessagesOf(source), "no operand");
+  check.Contains(UpdateAndGetErrors(source), "no operand");
   check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "no points if an operand has an error");
   vtkNew<vtkSpatialPrimitive> sphere;
   root->AddOperand(sphere);
-  check.That(MessagesOf(source).empty(), "no error once the operand is valid again");
+  check.That(UpdateAndGetErrors(source).empty(), "no error once the operand is valid again");
   check.Equal(source->GetOutput()->GetNumberOfPoints(), 64 * 64 * 64, "points");
   const std::string before = GetBytes(source->GetOutput());
   sphere->SetRadius(0.7);

@@ -82,7 +82,7 @@ void CheckVolumes(Check& check)
   CheckReport(model->GetReport(), { 4, 27 * 4 * 3 * 2, 16, 0.0 },
     "colors require the surrounding points", check);
   model->SetRoot(nullptr);
-  check.That(!MessagesOf(model).empty(), "missing root");
+  check.That(!UpdateAndGetErrors(model).empty(), "missing root");
   CheckReport(model->GetReport(), {}, "after an error", check);
 }
 
@@ -100,7 +100,8 @@ void CheckGrids(Check& check)
   CheckPrinted(
     Print(cylinder), { "Report:", "  Points: 210", "  Bytes: 6720", "  Time: 0" }, check);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  check.Contains(ErrorsOf(cylinder, [&]() { cylinder->UpdateTimeStep(infinity); }), "not finite");
+  check.Contains(
+    CaptureErrors(cylinder, [&]() { cylinder->UpdateTimeStep(infinity); }), "not finite");
   CheckReport(cylinder->GetReport(), {}, "after an error", check);
 }
 

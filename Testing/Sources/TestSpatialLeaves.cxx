@@ -38,7 +38,7 @@ void CheckImplicit(Check& check)
   object->SetShapeToImplicitFunction();
   Sample sample;
   const double origin[3] = { 0.0, 0.0, 0.0 };
-  check.Contains(ErrorsOf(object, [&] { object->Evaluate(origin, sample); }), "no function");
+  check.Contains(CaptureErrors(object, [&] { object->Evaluate(origin, sample); }), "no function");
   object->SetFunction(sphere);
   object->SetColor(0.5, 0.25, 0.125);
   for (double width : { 0.0, 0.2 })
@@ -72,7 +72,8 @@ void CheckImplicit(Check& check)
   object->Evaluate(outside, sample);
   check.Near(sample.Density, 0.0, 0.0, "density outside the limits");
   const double bad[6] = { 0.5, -0.5, -2.0, 2.0, 0.0, 3.0 };
-  check.That(!ErrorsOf(object, [&] { object->SetLimits(bad); }).empty(), "limits out of order");
+  check.That(
+    !CaptureErrors(object, [&] { object->SetLimits(bad); }).empty(), "limits out of order");
   const vtkMTimeType before = object->GetMTime();
   sphere->SetCoefficients(1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0);
   check.That(object->GetMTime() > before, "modifying the function modifies the object");
@@ -117,7 +118,7 @@ void CheckImage(Check& check)
   vtkNew<vtkSpatialImage> object;
   Sample sample;
   double x[3] = { 0.0, 0.0, 0.0 };
-  check.Contains(ErrorsOf(object, [&] { object->Evaluate(x, sample); }), "no image");
+  check.Contains(CaptureErrors(object, [&] { object->Evaluate(x, sample); }), "no image");
   object->SetImage(image);
   object->SetScalarRange(14.0, 6.0);
   object->SetDensity(0.5);
@@ -184,17 +185,18 @@ void CheckRejections(Check& check)
   const double x[3] = { 0.0, 0.0, 0.0 };
   for (double bad : { 0.0, std::numeric_limits<double>::infinity(), std::nan("") })
   {
-    check.That(!ErrorsOf(object, [&] { object->SetScalarRange(0.0, bad); }).empty(), "a range");
+    check.That(
+      !CaptureErrors(object, [&] { object->SetScalarRange(0.0, bad); }).empty(), "a range");
   }
   check.Near(object->GetScalarRange()[1], 1.0, 0.0, "an invalid range is ignored");
   const auto image = MakeImage();
   object->SetImage(image);
   object->SetColorArrayName("nothing");
-  check.Contains(ErrorsOf(object, [&] { object->Evaluate(x, sample); }),
+  check.Contains(CaptureErrors(object, [&] { object->Evaluate(x, sample); }),
     "The image has no point array \"nothing\".");
   vtkNew<vtkImageData> empty;
   object->SetImage(empty);
-  check.Contains(ErrorsOf(object, [&] { object->Evaluate(x, sample); }), "point scalars");
+  check.Contains(CaptureErrors(object, [&] { object->Evaluate(x, sample); }), "point scalars");
 }
 
 // An image with one layer of points.

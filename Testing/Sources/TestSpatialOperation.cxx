@@ -276,15 +276,15 @@ void CheckRejections(Check& check)
   vtkNew<vtkSpatialTurbulence> center;
   Sample sample;
   const double x[3] = { 0.0, 0.0, 0.0 };
-  check.Contains(ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
+  check.Contains(CaptureErrors(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
   center->SetOperand(inner);
   outer->AddOperand(center);
-  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(outer); }), "contains this");
-  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(inner); }), "contains this");
-  check.Contains(ErrorsOf(center, [&] { center->SetOperand(outer); }), "contains this");
-  check.Contains(ErrorsOf(outer, [&] { outer->AddOperand(nullptr); }), "null");
+  check.Contains(CaptureErrors(inner, [&] { inner->AddOperand(outer); }), "contains this");
+  check.Contains(CaptureErrors(inner, [&] { inner->AddOperand(inner); }), "contains this");
+  check.Contains(CaptureErrors(center, [&] { center->SetOperand(outer); }), "contains this");
+  check.Contains(CaptureErrors(outer, [&] { outer->AddOperand(nullptr); }), "null");
   check.Equal(inner->GetNumberOfOperands(), 0, "number of operands after rejections");
-  check.Contains(ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
+  check.Contains(CaptureErrors(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
   // An object may be used in several operations.
   vtkNew<vtkSpatialPrimitive> shared;
   inner->AddOperand(shared);

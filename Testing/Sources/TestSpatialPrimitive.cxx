@@ -206,16 +206,16 @@ void CheckRejections(Check& check)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (double bad : { 0.0, -1.0, infinity, nan })
   {
-    check.That(!ErrorsOf(primitive, [&] { primitive->SetRadius(bad); }).empty(), "a radius");
-    check.That(!ErrorsOf(primitive, [&] { primitive->SetTubeRadius(bad); }).empty(), "a tube");
-    check.That(!ErrorsOf(primitive, [&] { primitive->SetHeight(bad); }).empty(), "a height");
+    check.That(!CaptureErrors(primitive, [&] { primitive->SetRadius(bad); }).empty(), "a radius");
+    check.That(!CaptureErrors(primitive, [&] { primitive->SetTubeRadius(bad); }).empty(), "a tube");
+    check.That(!CaptureErrors(primitive, [&] { primitive->SetHeight(bad); }).empty(), "a height");
     check.That(
-      !ErrorsOf(primitive, [&] { primitive->SetLengths(1.0, bad, 1.0); }).empty(), "a length");
-    check.Equal(!ErrorsOf(primitive, [&] { primitive->SetInnerRadius(bad); }).empty(), bad != 0.0,
-      "an inner radius");
-    check.Equal(
-      !ErrorsOf(primitive, [&] { primitive->SetEdgeWidth(bad); }).empty(), bad != 0.0, "an edge");
-    check.Equal(!ErrorsOf(primitive, [&] { primitive->SetCenter(0.0, 0.0, bad); }).empty(),
+      !CaptureErrors(primitive, [&] { primitive->SetLengths(1.0, bad, 1.0); }).empty(), "a length");
+    check.Equal(!CaptureErrors(primitive, [&] { primitive->SetInnerRadius(bad); }).empty(),
+      bad != 0.0, "an inner radius");
+    check.Equal(!CaptureErrors(primitive, [&] { primitive->SetEdgeWidth(bad); }).empty(),
+      bad != 0.0, "an edge");
+    check.Equal(!CaptureErrors(primitive, [&] { primitive->SetCenter(0.0, 0.0, bad); }).empty(),
       !std::isfinite(bad), "a center");
   }
   check.That(primitive->GetRadius() == 0.5 && primitive->GetTubeRadius() == 0.1 &&
@@ -231,23 +231,23 @@ void CheckRejections(Check& check)
   primitive->SetInnerRadius(0.5);
   vtkSpatialObject::Sample sample;
   const double x[3] = { 0.0, 0.0, 0.0 };
-  check.Contains(ErrorsOf(primitive, [&] { primitive->Evaluate(x, sample); }), "inner radius");
+  check.Contains(CaptureErrors(primitive, [&] { primitive->Evaluate(x, sample); }), "inner radius");
   check.Near(sample.Density, 0.0, 0.0, "density of an invalid primitive is 0");
   primitive->SetShapeToBox();
   vtkNew<vtkTransform> flat;
   flat->Scale(1.0, 0.0, 1.0);
   primitive->SetTransform(flat);
-  check.Contains(ErrorsOf(primitive, [&] { primitive->Evaluate(x, sample); }), "no inverse");
+  check.Contains(CaptureErrors(primitive, [&] { primitive->Evaluate(x, sample); }), "no inverse");
   vtkNew<vtkTransform> sheared;
   const double elements[16] = { 1.0, 2.0, 3.0, 0.0, 4.0, 5.0, 9.0, 0.0, 7.0, 8.0,
     15.000000000000002, 0.0, 0.0, 0.0, 0.0, 1.0 };
   sheared->SetMatrix(elements);
   primitive->SetTransform(sheared);
-  check.Contains(ErrorsOf(primitive, [&] { primitive->Evaluate(x, sample); }), "no inverse");
+  check.Contains(CaptureErrors(primitive, [&] { primitive->Evaluate(x, sample); }), "no inverse");
   vtkNew<vtkTransform> far;
   far->Translate(infinity, 0.0, 0.0);
   primitive->SetTransform(far);
-  check.Contains(ErrorsOf(primitive, [&] { primitive->Evaluate(x, sample); }), "not finite");
+  check.Contains(CaptureErrors(primitive, [&] { primitive->Evaluate(x, sample); }), "not finite");
   CheckPrinted(Print(primitive),
     { "Shape: box", "Radius: 0.5", "InnerRadius: 0.5", "Height: 1", "TubeRadius: 0.1",
       "Lengths: 1 1 1", "EdgeWidth: 0", "Center: 0", "Density: 1", "Color: 1 0 1", "Transform:" },

@@ -114,7 +114,7 @@ void CheckSettings(Check& check)
   vtkNew<vtkSpatialTurbulence> object;
   Sample sample;
   const double x[3] = { 0.5, 0.1, 0.2 };
-  check.Contains(ErrorsOf(object, [&] { object->Evaluate(x, sample); }), "no operand");
+  check.Contains(CaptureErrors(object, [&] { object->Evaluate(x, sample); }), "no operand");
   const auto sphere = MakeSphere();
   object->SetOperand(sphere);
   double densities[2];

@@ -50,7 +50,7 @@ void CheckCommon(const TemporalSource& source, Check& check)
   for (double bad : { NaN, Infinity })
   {
     check.Contains(
-      ErrorsOf(source.Algorithm, [&]() { source.SetTimeRange(0.0, bad); }), "not finite");
+      CaptureErrors(source.Algorithm, [&]() { source.SetTimeRange(0.0, bad); }), "not finite");
   }
   CheckValues<2>(source.GetTimeRange(), { { -1.0, 3.0 } }, "times after errors", check);
   source.SetOutputScalarType(VTK_INT);
@@ -86,7 +86,7 @@ void CheckGrid(Check& check)
   for (double bad : { NaN, Infinity, 0.0, -1.0 })
   {
     check.Contains(
-      ErrorsOf(source, [&]() { source->SetBounds(0.0, 1.0, 0.0, bad, 0.0, 1.0); }), "axis 1");
+      CaptureErrors(source, [&]() { source->SetBounds(0.0, 1.0, 0.0, bad, 0.0, 1.0); }), "axis 1");
   }
   CheckValues<6>(source->GetBounds(), { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } }, "bounds", check);
 }
@@ -156,9 +156,9 @@ void CheckProgress(const TemporalSource& source, Check& check)
 {
   check.SetContext(source.Name);
   ProgressWatch watch;
-  Observe(source.Algorithm, watch);
+  ObserveProgress(source.Algorithm, watch);
   source.Algorithm->Update();
-  CheckGrowth(watch, 10, check);
+  CheckMonotonicProgress(watch, 10, check);
   check.That(watch.Progress.back() == 1.0, "progress increases to 1");
   for (double at : { 0.0, 0.6 })
   {

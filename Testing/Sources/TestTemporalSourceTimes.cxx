@@ -60,7 +60,8 @@ void CheckBadTime(const TemporalSource& source, Check& check)
     { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
     check.Contains(
-      ErrorsOf(source.Algorithm, [&]() { source.Algorithm->UpdateTimeStep(time); }), "not finite");
+      CaptureErrors(source.Algorithm, [&]() { source.Algorithm->UpdateTimeStep(time); }),
+      "not finite");
     check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points for a non-finite time");
     source.Algorithm->UpdateTimeStep(0.0);
     check.That(source.GetOutput()->GetNumberOfPoints() > 0, "points for a finite time");

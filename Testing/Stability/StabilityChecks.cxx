@@ -42,8 +42,8 @@ Messages UpdateFilter(vtkAlgorithm* filter)
   {
     object->RemoveObserver(observer);
   }
-  return { reference::InOneLine(observer->GetErrorMessage()),
-    reference::InOneLine(observer->GetWarningMessage()) };
+  return { reference::ToSingleLine(observer->GetErrorMessage()),
+    reference::ToSingleLine(observer->GetWarningMessage()) };
 }
 
 bool IsEmpty(vtkAlgorithm* filter)
@@ -59,7 +59,7 @@ bool IsEmpty(vtkAlgorithm* filter)
   return true;
 }
 
-void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
+void ReportRejection(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
   const std::string& extreme, const std::vector<std::string>& words,
   const std::function<void()>& mend)
 {
@@ -107,7 +107,7 @@ double CountOutside(vtkDataArray* array, double lower, double upper)
   return static_cast<double>(number);
 }
 
-std::string Short(double value)
+std::string FormatShort(double value)
 {
   std::ostringstream text;
   text << value;

@@ -40,14 +40,14 @@ bool IsEmpty(vtkAlgorithm* filter);
 
 /// Reports whether a filter has empty outputs and an error that contains all of \a words, and works
 /// after \a mend is called.
-void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
+void ReportRejection(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
   const std::string& extreme, const std::vector<std::string>& words,
   const std::function<void()>& mend);
-inline void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter,
+inline void ReportRejection(StabilityCatalogue& catalogue, vtkAlgorithm* filter,
   const std::string& name, const std::string& extreme, const char* words,
   const std::function<void()>& mend)
 {
-  ReportRefused(catalogue, filter, name, extreme, std::vector<std::string>{ words }, mend);
+  ReportRejection(catalogue, filter, name, extreme, std::vector<std::string>{ words }, mend);
 }
 
 /// Reports whether a filter has no error, empty outputs, and a warning that contains \a words.
@@ -59,7 +59,7 @@ void ReportEmpty(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std:
 double CountOutside(vtkDataArray* array, double lower, double upper);
 
 /// Formats a number with at most six significant digits.
-std::string Short(double value);
+std::string FormatShort(double value);
 
 }
 

@@ -168,7 +168,7 @@ void TestSingleCells(StabilityCatalogue& catalogue)
   }
   auto image = MakeImage({ 1, 1, 1 });
   AddLinearField(image, Function);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     catalogue.Measure("one-cell-lattice-" + form.Name, "a regular grid of one cell",
       "relative error of its volume",

@@ -111,10 +111,11 @@ void TestScales(StabilityCatalogue& catalogue)
       scaled->SetInputData(MakeImage(&Rotate, size, speed));
       scaled->SetNoiseScale(0.25 * size);
       const double difference = CompareValues(scaled, plain);
-      catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
-        "a box of " + Short(size) + " with speeds of " + Short(speed),
+      catalogue.Measure("size-" + FormatShort(size) + "-speed-" + FormatShort(speed),
+        "a box of " + FormatShort(size) + " with speeds of " + FormatShort(speed),
         "largest difference from the result at size 1", difference, 1e-5,
-        "Runge-Kutta 4: " + Short(scaled->GetReport()->GetNumber("Steps")) + " per direction");
+        "Runge-Kutta 4: " + FormatShort(scaled->GetReport()->GetNumber("Steps")) +
+          " per direction");
     }
   }
 }
@@ -130,12 +131,13 @@ void TestAutomaticNoise(StabilityCatalogue& catalogue)
     vtkNew<vtkFlowLIC> automatic;
     automatic->SetInputData(MakeGrid(size));
     const double difference = CompareValues(automatic, plain);
-    catalogue.Measure("noise-" + Short(size), "a box of " + Short(size) + ", default noise scale",
+    catalogue.Measure("noise-" + FormatShort(size),
+      "a box of " + FormatShort(size) + ", default noise scale",
       "relative error of the noise scale",
       automatic->GetReport()->GetNumber("NoiseScale") / (std::sqrt(3.0) / 32.0 * size) - 1.0,
       1e-14);
-    catalogue.Measure("noise-" + Short(size) + "-value",
-      "a box of " + Short(size) + ", default noise scale",
+    catalogue.Measure("noise-" + FormatShort(size) + "-value",
+      "a box of " + FormatShort(size) + ", default noise scale",
       "largest difference from the result at size 1", difference, 1e-5);
   }
 }
@@ -170,7 +172,7 @@ void TestLongLines(StabilityCatalogue& catalogue)
   catalogue.Measure("steps-1000000-value", "a circle traced for a million steps per direction",
     "values outside [0, 1]", CountOutside(GetValues(filter), 0.0, 1.0), 0.0);
   filter->SetLength(7813.0);
-  ReportRefused(catalogue, filter, "steps-more", "more than a million steps", "steps",
+  ReportRejection(catalogue, filter, "steps-more", "more than a million steps", "steps",
     [&]() { filter->SetLength(1.0); });
   filter->SetLength(1e-300);
   filter->SetStepLength(0.0);
@@ -229,8 +231,9 @@ void TestPositions(StabilityCatalogue& catalogue)
   {
     filter->SetInputData(MakePoint(position));
     const Messages messages = UpdateFilter(filter);
-    catalogue.Measure("outside-" + Short(position),
-      "a point outside the field, at " + Short(position), "values other than 0, with a warning",
+    catalogue.Measure("outside-" + FormatShort(position),
+      "a point outside the field, at " + FormatShort(position),
+      "values other than 0, with a warning",
       messages.Errors.empty() && messages.Warnings.find("outside the field") != std::string::npos
         ? CountOutside(GetValues(filter), 0.0, 0.0)
         : NaN,
@@ -241,12 +244,12 @@ void TestPositions(StabilityCatalogue& catalogue)
   bare->SetDimensions(3, 3, 3);
   filter->SetFieldData(bare);
   const auto mend = [&]() { filter->SetFieldData(MakeImage(&Rotate)); };
-  ReportRefused(catalogue, filter, "no-vectors", "a field without vectors", "vectors", mend);
+  ReportRejection(catalogue, filter, "no-vectors", "a field without vectors", "vectors", mend);
   auto flat = vtkSmartPointer<vtkImageData>::New();
   flat->SetDimensions(5, 5, 1);
   AddVectors(flat, &Rotate);
   filter->SetFieldData(flat);
-  ReportRefused(catalogue, filter, "two-dimensions", "a two-dimensional field", "three", mend);
+  ReportRejection(catalogue, filter, "two-dimensions", "a two-dimensional field", "three", mend);
 }
 
 }

@@ -85,10 +85,10 @@ void TestStiff(StabilityCatalogue& catalogue)
       for (bool isLattice : { false, true })
       {
         const auto result = isLattice ? Advect(BoxWalker(flow, lattice), options, start)
-                                      : Advect(SpaceWalker(flow), options, start);
-        const std::string name =
-          std::string("stiff-") + Short(rate) + "-" + method.Name + (isLattice ? "-cells" : "");
-        const std::string extreme = "eigenvalues 1 to " + Short(rate) + ", " + method.Name +
+                                      : Advect(SingleCellWalker(flow), options, start);
+        const std::string name = std::string("stiff-") + FormatShort(rate) + "-" + method.Name +
+          (isLattice ? "-cells" : "");
+        const std::string extreme = "eigenvalues 1 to " + FormatShort(rate) + ", " + method.Name +
           (isLattice ? ", across cells" : ", in one cell");
         const int steps = NumberOfSteps(result);
         const std::string chosen = DescribeMethod(result);
@@ -122,7 +122,7 @@ void TestStiff(StabilityCatalogue& catalogue)
   options.MaximumTime = 50.0;
   options.MaximumError = 1e-2;
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
-  const auto result = Advect(SpaceWalker(flow), options, { 0.5, 0.6, 0.7 });
+  const auto result = Advect(SingleCellWalker(flow), options, { 0.5, 0.6, 0.7 });
   catalogue.Measure("not-stiff", "a nonstiff chaotic field", "number of Rosenbrock steps",
     result.StiffSteps, 0.0, DescribeMethod(result));
   options.MaximumError = 1e-6;
@@ -171,9 +171,10 @@ void TestNodes(StabilityCatalogue& catalogue)
     for (bool isLattice : { false, true })
     {
       const auto result = isLattice ? Advect(BoxWalker(flow, lattice), options, { 1, 1, 1 })
-                                    : Advect(SpaceWalker(flow), options, { 1, 1, 1 });
-      catalogue.Check(std::string("spiral-") + Short(spin) + (isLattice ? "-cells" : ""),
-        "a spiral sink with " + Short(spin / (2.0 * vtkMath::Pi())) + " rotations per unit of time",
+                                    : Advect(SingleCellWalker(flow), options, { 1, 1, 1 });
+      catalogue.Check(std::string("spiral-") + FormatShort(spin) + (isLattice ? "-cells" : ""),
+        "a spiral sink with " + FormatShort(spin / (2.0 * vtkMath::Pi())) +
+          " rotations per unit of time",
         "status stagnated; at 1e4 also out of steps or closed orbit", Describe(result),
         (result.Status == vtkFlowStatus::STAGNATED ||
           (spin >= 1e4 &&
@@ -196,7 +197,7 @@ void TestScales(StabilityCatalogue& catalogue)
     options.Surfaces.push_back({ surface, 3 });
     options.MaximumError = 1e-9 * speed;
     const auto result = Advect(BoxWalker(flow, lattice), options, { 0, -2, 0.5 });
-    catalogue.Measure("speed-" + Short(speed), "speeds of " + Short(speed),
+    catalogue.Measure("speed-" + FormatShort(speed), "speeds of " + FormatShort(speed),
       "relative error of the time to a plane; " + Describe(result),
       result.Id == 3 ? result.Time * speed / (vtkMath::Pi() / 6.0) - 1.0 : std::nan(""), 1e-7);
   }
@@ -214,7 +215,7 @@ void TestScales(StabilityCatalogue& catalogue)
     Describe(still), still.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(still) == 0);
   // Advection without bounds, surfaces or a time limit.
   const Flow uniform = Flow::Uniform({ 1, 2, 3 });
-  const auto endless = Advect(SpaceWalker(uniform), ForwardOptions(), { 0, 0, 0 });
+  const auto endless = Advect(SingleCellWalker(uniform), ForwardOptions(), { 0, 0, 0 });
   catalogue.Check("endless", "an unbounded uniform field", "a status within 10000 steps",
     Describe(endless), NumberOfSteps(endless) <= 10000);
 }
@@ -247,7 +248,7 @@ void TestFields(StabilityCatalogue& catalogue)
   for (bool isLattice : { false, true })
   {
     const auto result = isLattice ? Advect(BoxWalker(shear, lattice), options, { 0, -0.5, 0 })
-                                  : Advect(SpaceWalker(shear), options, { 0, -0.5, 0 });
+                                  : Advect(SingleCellWalker(shear), options, { 0, -0.5, 0 });
     catalogue.Measure(isLattice ? "shear-layer-cells" : "shear-layer", "a shear layer of 1e-4",
       "distance from the exact end; " + Describe(result),
       result.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(result.Position, { -0.8, 0.3, 0 })
@@ -285,7 +286,7 @@ void TestSurfaces(StabilityCatalogue& catalogue)
   const auto advect =
     [&](const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces, Position start)
   {
-    KeepingOptions options = ForwardOptions(surfaces);
+    OwningAdvectionOptions options = ForwardOptions(surfaces);
     options.MaximumTime = 7.0;
     options.MaximumError = 1e-10;
     return Advect(BoxWalker(rotation, lattice), options, start);

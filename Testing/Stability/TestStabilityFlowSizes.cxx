@@ -249,8 +249,8 @@ void ReportSizes(StabilityCatalogue& catalogue, const std::string& name, const K
   {
     vtkNew<vtkImplicitFlowField> filter;
     const std::string errors = execute(filter, size, speed);
-    catalogue.Measure(name + "-" + Short(size),
-      std::string(kind.Name) + " of size " + Short(size) + ", " + condition,
+    catalogue.Measure(name + "-" + FormatShort(size),
+      std::string(kind.Name) + " of size " + FormatShort(size) + ", " + condition,
       "largest difference from the results at size 1, of which " + std::to_string(reached) +
         " are on surfaces" + errors,
       reached > 10 ? CompareResults(filter->GetOutput(), expected->GetOutput(), size, size / speed)
@@ -290,8 +290,8 @@ void TestSettings(StabilityCatalogue& catalogue)
     const std::string name = kind.Name;
     for (const double speed : { std::ldexp(1.0, -400), std::ldexp(1.0, 400) })
     {
-      ReportSizes(catalogue, name + "-speed-" + Short(speed), kind,
-        "six surfaces, speeds of " + Short(speed), speed, addSurfaces);
+      ReportSizes(catalogue, name + "-speed-" + FormatShort(speed), kind,
+        "six surfaces, speeds of " + FormatShort(speed), speed, addSurfaces);
     }
     ReportSizes(catalogue, name + "-faces", kind, "domain faces, with lengths and vorticities", 1.0,
       [](vtkImplicitFlowField* filter, double, double)
@@ -323,8 +323,9 @@ void TestSettings(StabilityCatalogue& catalogue)
     // With the larger error bound, most samples are interpolated. With the smaller bound, none are.
     for (const double error : { 1e-6, 1e-8 })
     {
-      ReportSizes(catalogue, name + "-shared-" + Short(error), kind,
-        "image samples that may interpolate streamlines, with errors up to " + Short(error), 1.0,
+      ReportSizes(catalogue, name + "-shared-" + FormatShort(error), kind,
+        "image samples that may interpolate streamlines, with errors up to " + FormatShort(error),
+        1.0,
         [&](vtkImplicitFlowField* filter, double size, double speed)
         {
           filter->AddTerminationSurface(shapes[0].Make(size, 0.013 * size));
@@ -359,8 +360,10 @@ void TestVoxels(StabilityCatalogue& catalogue)
   const double expected = count(1.0);
   for (const double size : Sizes)
   {
-    catalogue.Measure("voxels-" + Short(size), "33³ points of hexahedra of size " + Short(size),
-      "difference from the " + Short(expected) + " samples at size 1", count(size) - expected, 0.0);
+    catalogue.Measure("voxels-" + FormatShort(size),
+      "33³ points of hexahedra of size " + FormatShort(size),
+      "difference from the " + FormatShort(expected) + " samples at size 1", count(size) - expected,
+      0.0);
   }
 }
 

@@ -70,7 +70,7 @@ void TestErrors(StabilityCatalogue& catalogue, const std::vector<ErrorCase<Filte
     one.Mend(filter);
     one.Break(filter);
     catalogue.SetClass(filter->GetClassName());
-    ReportRefused(catalogue, filter, std::string(filter->GetClassName()) + "-" + one.Name,
+    ReportRejection(catalogue, filter, std::string(filter->GetClassName()) + "-" + one.Name,
       one.Extreme, one.Words, [&]() { one.Mend(filter); });
   }
 }

@@ -26,7 +26,7 @@ using namespace stability;
 
 vtkSmartPointer<vtkPolyData> MakeCube()
 {
-  auto box = MakeBoxes();
+  auto box = MakeEmptySurface();
   AppendBox(box, { 0, 0, 0 }, { 1, 1, 1 });
   return box;
 }
@@ -38,7 +38,7 @@ void Refuse(StabilityCatalogue& catalogue, const std::string& name, const std::s
 {
   vtkNew<vtkTetrahedralMesher> mesher;
   mesher->SetInputDataObject(input);
-  ReportRefused(catalogue, mesher, "mesher-" + name, extreme, named.c_str(),
+  ReportRejection(catalogue, mesher, "mesher-" + name, extreme, named.c_str(),
     [&]() { mesher->SetInputDataObject(MakeCube()); });
 }
 
@@ -69,7 +69,7 @@ void TestSurfaces(StabilityCatalogue& catalogue)
     Refuse(catalogue, "surface-not-finite-" + std::to_string(axis),
       "a surface with a non-finite coordinate", "Point 3", cube);
   }
-  auto open = MakeBoxes();
+  auto open = MakeEmptySurface();
   open->SetPoints(MakeCube()->GetPoints());
   open->GetPolys()->InsertNextCell({ 0, 2, 3, 1 });
   open->GetPolys()->InsertNextCell({ 4, 5, 7, 6 });
@@ -89,7 +89,7 @@ void TestSurfaces(StabilityCatalogue& catalogue)
   Refuse(catalogue, "surface-crossing", "two intersecting cubes", "intersects itself", crossing);
 
   std::mt19937 random(11);
-  auto soup = MakeBoxes();
+  auto soup = MakeEmptySurface();
   for (vtkIdType t = 0; t < 40; ++t)
   {
     for (int i = 0; i < 4; ++i)
@@ -109,7 +109,7 @@ void TestSurfaces(StabilityCatalogue& catalogue)
   Refuse(catalogue, "surface-missing-point", "a triangle with an invalid point id",
     "Cell 6 has point 99", missing);
 
-  auto sheet = MakeBoxes();
+  auto sheet = MakeEmptySurface();
   sheet->SetPoints(MakeCube()->GetPoints());
   sheet->GetPolys()->InsertNextCell({ 0, 2, 3, 1 });
   sheet->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
@@ -120,7 +120,7 @@ void TestScales(StabilityCatalogue& catalogue)
 {
   for (double scale : { 1e-30, 1e-6, 1e6, 1e30 })
   {
-    auto box = MakeBoxes();
+    auto box = MakeEmptySurface();
     AppendBox(box, { 0, 0, 0 }, { scale, 2 * scale, 3 * scale });
     std::ostringstream name;
     name << "scale-" << scale;
@@ -128,13 +128,13 @@ void TestScales(StabilityCatalogue& catalogue)
   }
   for (double thin : { 1e-3, 1e-6, 1e-9 })
   {
-    auto box = MakeBoxes();
+    auto box = MakeEmptySurface();
     AppendBox(box, { 0, 0, 0 }, { 1, 1, thin });
     std::ostringstream name;
     name << "thin-" << thin;
     Accept(catalogue, name.str(), "a thin plate", thin, 1e-12, box);
   }
-  auto far = MakeBoxes();
+  auto far = MakeEmptySurface();
   AppendBox(far, { 1e8, 1e8, 1e8 }, { 1e8 + 1, 1e8 + 1, 1e8 + 1 });
   Accept(catalogue, "far", "a unit cube at 1e8", 1.0, 1e-12, far);
   auto close = MakeCube();
@@ -252,7 +252,7 @@ void TestWorkers(StabilityCatalogue& catalogue)
     mesher->SetInputDataObject(MakeCube());
     const auto start = std::chrono::steady_clock::now();
     std::chrono::duration<double> time{};
-    ReportRefused(catalogue, mesher, std::string("mesher-") + worker.Name, worker.Extreme,
+    ReportRejection(catalogue, mesher, std::string("mesher-") + worker.Name, worker.Extreme,
       worker.Named,
       [&]()
       {

@@ -68,8 +68,8 @@ void TestScales(StabilityCatalogue& catalogue)
       vtkNew<vtkSimplexTimeSlice> slice;
       slice->SetInputData(MakeSimplices(step));
       slice->SetTime(position * step);
-      catalogue.Measure("steps-" + Short(step) + "-time-" + Short(position),
-        "steps " + Short(step) + " apart, slice at step " + Short(position),
+      catalogue.Measure("steps-" + FormatShort(step) + "-time-" + FormatShort(position),
+        "steps " + FormatShort(step) + " apart, slice at step " + FormatShort(position),
         "error of the unit volume", GetVolume(slice) - 1.0, 1e-12);
     }
   }
@@ -78,7 +78,7 @@ void TestScales(StabilityCatalogue& catalogue)
     vtkNew<vtkSimplexTimeSlice> slice;
     slice->SetInputData(MakeSimplices(1.0, offset));
     slice->SetTime(offset + 1.375);
-    catalogue.Measure("from-" + Short(offset), "times starting at " + Short(offset),
+    catalogue.Measure("from-" + FormatShort(offset), "times starting at " + FormatShort(offset),
       "error of the unit volume", GetVolume(slice) - 1.0, 1e-12);
   }
   for (const double size : { 1e-90, 1e-9, 1e9, 1e90 })
@@ -86,7 +86,7 @@ void TestScales(StabilityCatalogue& catalogue)
     vtkNew<vtkSimplexTimeSlice> slice;
     slice->SetInputData(MakeSimplices(1.0, 0.0, size));
     slice->SetTime(1.37);
-    catalogue.Measure("size-" + Short(size), "a cube of " + Short(size),
+    catalogue.Measure("size-" + FormatShort(size), "a cube of " + FormatShort(size),
       "relative error of the volume", GetVolume(slice) / size / size / size - 1.0, 1e-12);
   }
 }
@@ -99,13 +99,14 @@ void TestSimplices(StabilityCatalogue& catalogue)
   for (const double t : { NaN, Infinity, -Infinity })
   {
     slice->SetTime(t);
-    ReportRefused(
-      catalogue, slice, "time-" + Short(t), "a slice at time " + Short(t), "finite", mend);
+    ReportRejection(catalogue, slice, "time-" + FormatShort(t), "a slice at time " + FormatShort(t),
+      "finite", mend);
   }
   for (const double t : { -1e-9, 3.0 + 1e-9, 1e300 })
   {
     slice->SetTime(t);
-    ReportEmpty(catalogue, slice, "outside-" + Short(t), "a slice outside the time range", "time");
+    ReportEmpty(
+      catalogue, slice, "outside-" + FormatShort(t), "a slice outside the time range", "time");
   }
   // 4-simplices with a time that is not finite are skipped, so an interior point with such a time
   // causes a hole.
@@ -119,7 +120,7 @@ void TestSimplices(StabilityCatalogue& catalogue)
   mend();
   const double volume = GetVolume(slice);
   catalogue.Check("times-not-finite", "every fortieth time NaN or infinite",
-    "a finite part of the volume", Short(volume), volume > 0.3 && volume < 1.0);
+    "a finite part of the volume", FormatShort(volume), volume > 0.3 && volume < 1.0);
   times->Fill(NaN);
   times->Modified();
   broken->Modified();
@@ -199,8 +200,9 @@ void TestWriter(StabilityCatalogue& catalogue)
     SetInput(writer, 0.0, 3.0 * step, 4);
     writer->SetFileName((folder / "slabs.vtm").string().c_str());
     bool isWritten = false;
-    const std::string errors = ErrorsOf(writer, [&]() { isWritten = writer->Write(); });
-    catalogue.Measure("steps-" + Short(step), "four time steps, " + Short(step) + " apart",
+    const std::string errors = CaptureErrors(writer, [&]() { isWritten = writer->Write(); });
+    catalogue.Measure("steps-" + FormatShort(step),
+      "four time steps, " + FormatShort(step) + " apart",
       "relative error of the hypervolume of all slabs" + errors,
       isWritten ? MeasureSlabs(folder, 3) / (0.75 * 4.0 * 3.0 * step) - 1.0 : NaN, 1e-6);
   }
@@ -209,7 +211,7 @@ void TestWriter(StabilityCatalogue& catalogue)
   SetInput(writer, 0.0, 1.0, 3);
   writer->SetFileName("/dev/null/slabs.vtm");
   bool isWritten = true;
-  const std::string errors = ErrorsOf(writer, [&]() { isWritten = writer->Write(); });
+  const std::string errors = CaptureErrors(writer, [&]() { isWritten = writer->Write(); });
   catalogue.Check("no-folder", "a directory that cannot exist",
     "Write returns false, and the error names the directory", errors,
     !isWritten && errors.find("/dev/null") != std::string::npos);

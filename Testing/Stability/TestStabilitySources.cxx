@@ -73,8 +73,9 @@ void TestFields(StabilityCatalogue& catalogue)
     source->SetBounds(-size, 2.0 * size, -size, size, 0.0, size);
     for (const double t : { 0.0, -1e6, 1e6 })
     {
-      catalogue.Measure("linear-" + Short(size) + "-time-" + Short(t),
-        "coefficients of 1e6 and 1e-6 at time " + Short(t) + " in a box of " + Short(size),
+      catalogue.Measure("linear-" + FormatShort(size) + "-time-" + FormatShort(t),
+        "coefficients of 1e6 and 1e-6 at time " + FormatShort(t) + " in a box of " +
+          FormatShort(size),
         "relative error against long double",
         ErrorOfField(source, t,
           [t](const double* x)
@@ -89,7 +90,7 @@ void TestFields(StabilityCatalogue& catalogue)
   source->SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0);
   for (const double t : { 1e3, 1e9 })
   {
-    catalogue.Measure("wave-time-" + Short(t), "a wave at time " + Short(t),
+    catalogue.Measure("wave-time-" + FormatShort(t), "a wave at time " + FormatShort(t),
       "relative error against long double",
       ErrorOfField(source, t,
         [t](const double* x)
@@ -138,8 +139,8 @@ void TestFlows(StabilityCatalogue& catalogue)
   catalogue.SetClass("vtkAnalyticFlowSource");
   for (const double size : { 1e-12, 1e-6, 1e6, 1e12 })
   {
-    const std::string at = "-" + Short(size);
-    const std::string extreme = "a size of " + Short(size);
+    const std::string at = "-" + FormatShort(size);
+    const std::string extreme = "a size of " + FormatShort(size);
     vtkNew<vtkAnalyticFlowSource> source;
     source->SetAxisTilt(0.0, 0.0);
     source->SetAxisBend(0.0, 0.0);
@@ -176,7 +177,7 @@ void TestFlows(StabilityCatalogue& catalogue)
     double divergence[9];
     const double position[3] = { -500.0 * core, 0.25 * core, 0.0 };
     source->EvaluateJacobian(position, divergence);
-    catalogue.Measure("source" + at, "a source with a core of " + Short(core),
+    catalogue.Measure("source" + at, "a source with a core of " + FormatShort(core),
       "relative error of the divergence in the core",
       static_cast<double>(
         (Number(divergence[0]) + divergence[4] + divergence[8]) * 4 * Pi * core * core * core / 3 -
@@ -214,7 +215,7 @@ void TestNoise(StabilityCatalogue& catalogue)
   for (const double periods : { 0x1p20, 0x1p30, -0x1p40 })
   {
     const double far[3] = { near[0] + 256.0 * periods, near[1], near[2] - 256.0 * periods };
-    catalogue.Measure("far-" + Short(periods), Short(periods) + " periods away",
+    catalogue.Measure("far-" + FormatShort(periods), FormatShort(periods) + " periods away",
       "difference from the noise near the origin", noise->Evaluate(far) - noise->Evaluate(near),
       0.0);
   }
@@ -279,7 +280,7 @@ void TestSolids(StabilityCatalogue& catalogue)
   catalogue.SetClass("vtkConstructiveVolume");
   for (const double size : { 1e-100, 1e-6, 1e6, 1e100 })
   {
-    catalogue.Measure("ball-" + Short(size), "a sphere of radius " + Short(size),
+    catalogue.Measure("ball-" + FormatShort(size), "a sphere of radius " + FormatShort(size),
       "relative error of its volume, 4^3 samples per point", ErrorOfSphere(size, 4), 5e-3);
   }
   vtkNew<vtkSpatialPrimitive> sphere;
@@ -356,8 +357,8 @@ void TestGrids(StabilityCatalogue& catalogue)
         const double difference = std::abs(wing->Evaluate(x, t) - wing->Evaluate(other, t));
         reference::KeepLargest(largest, difference);
       }
-      catalogue.Measure("sides-" + Short(angle) + "-time-" + Short(t),
-        "the smallest or largest sweep angle, at time " + Short(t),
+      catalogue.Measure("sides-" + FormatShort(angle) + "-time-" + FormatShort(t),
+        "the smallest or largest sweep angle, at time " + FormatShort(t),
         "largest difference between both sides", largest, 1e-15);
     }
   }

@@ -64,8 +64,8 @@ void TestShapes(StabilityCatalogue& catalogue)
       {
         const auto surface = shape.Make(size, offset * size);
         catalogue.SetClass(surface->GetClassName());
-        const std::string name = "size-" + Short(size) + (offset > 0.0 ? "-far" : "");
-        const std::string extreme = "a surface of size " + Short(size) +
+        const std::string name = "size-" + FormatShort(size) + (offset > 0.0 ? "-far" : "");
+        const std::string extreme = "a surface of size " + FormatShort(size) +
           (offset > 0.0 ? ", a million times its size from the origin" : "");
         const std::string error = surface->Update();
         vtkNew<vtkTerminationSurfaceSource> source;
@@ -112,7 +112,8 @@ void TestPolygons(StabilityCatalogue& catalogue)
     catalogue.SetClass(mesh->GetClassName());
     const std::string error = mesh->Update();
     const double x[3] = { 0.7 * size, 0.2 * size, 2.0 * size };
-    catalogue.Measure("polygon-" + Short(size), "a concave polygon of size " + Short(size),
+    catalogue.Measure("polygon-" + FormatShort(size),
+      "a concave polygon of size " + FormatShort(size),
       "relative error of the distance of a point" + error,
       std::abs(mesh->EvaluateDistance(x)) / size / 2.0 - 1.0, 1e-12);
   }
@@ -131,7 +132,7 @@ void TestResolutions(StabilityCatalogue& catalogue)
     source->Update();
     const double n = std::max(1, resolution);
     catalogue.Measure("resolution-" + std::to_string(resolution),
-      "a sphere on a grid of " + Short(n) + " squares per axis",
+      "a sphere on a grid of " + FormatShort(n) + " squares per axis",
       "difference from the number of nondegenerate triangles",
       static_cast<double>(source->GetOutput()->GetNumberOfCells()) - 2.0 * n * (n - 1.0), 0.0);
   }
@@ -161,8 +162,8 @@ void TestInflow(StabilityCatalogue& catalogue)
       }
       // The rectangle is at the center of the first of 32 slabs and covers the cross section of the
       // field.
-      catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
-        "a box of " + Short(size) + " with a speed of " + Short(speed),
+      catalogue.Measure("size-" + FormatShort(size) + "-speed-" + FormatShort(speed),
+        "a box of " + FormatShort(size) + " with a speed of " + FormatShort(speed),
         "error of the rectangle's bounds, relative to the size" + error,
         std::abs(bounds[0] / size - 1.0 / 64.0) + std::abs(bounds[1] / size - 1.0 / 64.0) +
           std::abs(bounds[2] / size) + std::abs(bounds[3] / size - 1.0),
@@ -173,7 +174,7 @@ void TestInflow(StabilityCatalogue& catalogue)
   {
     vtkNew<vtkTerminationInflow> surface;
     const std::string error = initialize(1.0, speed, surface);
-    catalogue.Check("speed-" + Short(speed), "a speed of " + Short(speed),
+    catalogue.Check("speed-" + FormatShort(speed), "a speed of " + FormatShort(speed),
       "an error that reports no flow", error, error.find("flow") != std::string::npos);
   }
 }

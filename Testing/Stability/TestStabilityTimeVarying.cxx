@@ -55,7 +55,7 @@ struct Outcome
 
 Outcome Run(const TimeSteps& steps, const std::vector<Interval>& intervals)
 {
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   source->SetSteps(steps);
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
@@ -78,7 +78,7 @@ double ErrorOf(const Outcome& outcome, double expected)
   const auto error = [&](const HypervolumeSum& sum)
   { return std::abs(static_cast<double>(sum.Sum) - expected) / expected; };
   return std::max(error(MeasureSimplices(outcome.Found.Simplices)),
-    error(MeasureWeighted(outcome.Found.Tetrahedra)));
+    error(MeasureWeightedTetrahedra(outcome.Found.Tetrahedra)));
 }
 
 double DomainError(const TimeSteps& steps)
@@ -138,7 +138,7 @@ void TestValues(StabilityCatalogue& catalogue)
       ErrorOf(outcome, 2 * (DomainVolume - 8)), Bound);
     catalogue.Check("nan-value-count", "NaN at one point at the middle step",
       "8 cells skipped in each of two slabs",
-      Short(outcome.Found.Report->GetNumber("NonFiniteCells")) + " cells",
+      FormatShort(outcome.Found.Report->GetNumber("NonFiniteCells")) + " cells",
       outcome.Found.Report->GetNumber("NonFiniteCells") == 16);
   }
   {

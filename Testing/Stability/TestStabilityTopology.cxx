@@ -73,8 +73,8 @@ void TestPointScales(StabilityCatalogue& catalogue)
         entry *= speed / length;
       }
       const FlowVector center = { { 0.13 * length, -0.37 * length, 0.71 * length } };
-      catalogue.Measure("length-" + Short(length) + "-speed-" + Short(speed),
-        "a box of " + Short(length) + " with speeds of " + Short(speed),
+      catalogue.Measure("length-" + FormatShort(length) + "-speed-" + FormatShort(speed),
+        "a box of " + FormatShort(length) + " with speeds of " + FormatShort(speed),
         "distance of the critical point from the exact one, relative to the length",
         ErrorOfPoint(MakeCube(4, length), matrix, center) / length, 1e-11);
     }
@@ -99,8 +99,8 @@ void TestPointScales(StabilityCatalogue& catalogue)
         reference::KeepLargest(largest, error);
       }
     }
-    catalogue.Measure("singular-" + Short(perturbation),
-      "a singular Jacobian perturbed by " + Short(perturbation) +
+    catalogue.Measure("singular-" + FormatShort(perturbation),
+      "a singular Jacobian perturbed by " + FormatShort(perturbation) +
         ", 14 positions in 7 kinds of cells",
       "largest distance of the critical point from the exact one", largest, 1e-14 / perturbation);
   }
@@ -125,9 +125,9 @@ void TestCellLengths(StabilityCatalogue& catalogue)
           return field({ { x[0] / size[0], x[1] / size[1], x[2] / size[2] } });
         });
       const CriticalPoints result(image);
-      const std::string name = "cell-" + Short(length) + "-thick-" + Short(thin);
+      const std::string name = "cell-" + FormatShort(length) + "-thick-" + FormatShort(thin);
       const std::string extreme =
-        "cells of " + Short(length) + ", " + Short(thin) + " times as thick as wide";
+        "cells of " + FormatShort(length) + ", " + FormatShort(thin) + " times as thick as wide";
       const bool isOne = result.GetNumber() == 1;
       catalogue.Measure(name, extreme,
         "distance of the critical point from the exact one, relative to the sides",
@@ -173,7 +173,7 @@ void TestPointCells(StabilityCatalogue& catalogue)
       std::abs(result.Filter->GetReport()->GetNumber("NonFiniteCells") - 8.0),
     0.0);
   filter->SetInputData(MakeBarePoint());
-  ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
+  ReportRejection(catalogue, filter, "no-cells", "a point without cells", "no cells",
     [&]() { filter->SetInputData(corner); });
 }
 
@@ -237,8 +237,8 @@ void TestLayers(StabilityCatalogue& catalogue)
       // Relative to the layer's distance from the first layer, which is as small as 1e-9.
       reference::KeepLargest(largest, std::abs(position - layers[i]) / std::max(layers[i], 1e-9));
     }
-    catalogue.Measure("layers-" + Short(size),
-      "layers from 1e-9 to 0.5 apart in a grid of " + Short(size),
+    catalogue.Measure("layers-" + FormatShort(size),
+      "layers from 1e-9 to 0.5 apart in a grid of " + FormatShort(size),
       "largest distance of 6 points from the axis and from their layers", largest, 1e-6);
   }
 }
@@ -259,8 +259,9 @@ void TestAxes(StabilityCatalogue& catalogue)
       SetVelocity(image, MakeVortex(size, speed));
       vtkNew<vtkVortexAxis> filter;
       filter->SetInputData(image);
-      const std::string name = "length-" + Short(size) + "-speed-" + Short(speed);
-      const std::string extreme = "a box of " + Short(size) + " with speeds of " + Short(speed);
+      const std::string name = "length-" + FormatShort(size) + "-speed-" + FormatShort(speed);
+      const std::string extreme =
+        "a box of " + FormatShort(size) + " with speeds of " + FormatShort(speed);
       catalogue.Measure(name, extreme, "largest distance of 7 points from the axis",
         ErrorOfAxis(filter, size, 7), 1e-12);
       vtkDataArray* swirl = filter->GetOutput()->GetPointData()->GetArray("SwirlStrength");
@@ -283,7 +284,7 @@ void TestAxes(StabilityCatalogue& catalogue)
     "largest distance of 3 points from the axis", ErrorOfAxis(filter, 1.0, 3), 1e-12);
   filter->SetAxis(0.0, 0.0, 1.0);
   filter->SetInputData(MakeBarePoint());
-  ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
+  ReportRejection(catalogue, filter, "no-cells", "a point without cells", "no cells",
     [&]() { filter->SetInputData(image); });
   filter->SetFrameVelocity(1e300, 0.0, 0.0);
   ReportEmpty(catalogue, filter, "frame-1e300", "a frame that moves at 1e300", "0 points");

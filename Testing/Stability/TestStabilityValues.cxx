@@ -276,7 +276,7 @@ void TestNotFinite(StabilityCatalogue& catalogue)
   const Extraction empty = ExtractIntervals(all, { { 0, 1 } });
   catalogue.Check("all-nan", "every value is NaN", "an empty output, every cell reported",
     std::to_string(empty.Volume->GetNumberOfCells()) + " tetrahedra, " +
-      stability::Short(empty.Report->GetNumber("NonFiniteCells")) + " cells reported",
+      stability::FormatShort(empty.Report->GetNumber("NonFiniteCells")) + " cells reported",
     empty.Volume->GetNumberOfCells() == 0 &&
       empty.Report->GetNumber("NonFiniteCells") == all->GetNumberOfCells());
 

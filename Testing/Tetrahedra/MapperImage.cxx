@@ -104,7 +104,7 @@ RgbaImage DrawByPath(int path, const ImageCase& what)
   return DrawByMapper(mapper, what);
 }
 
-RgbaImage DrawByVtkMapper(const ImageCase& what)
+RgbaImage DrawWithVtkMapper(const ImageCase& what)
 {
   vtkNew<vtkProjectedTetrahedraMapper> mapper;
   mapper->SetInputData(static_cast<vtkDataSet*>(what.Grid));
@@ -112,7 +112,7 @@ RgbaImage DrawByVtkMapper(const ImageCase& what)
   return Draw(mapper, what);
 }
 
-RgbaImage DrawByReference(const ImageCase& what)
+RgbaImage DrawReference(const ImageCase& what)
 {
   return MakeReferenceImage(what.Grid, what.Property, what.Camera, what.Settings);
 }

@@ -46,8 +46,8 @@ RgbaImage DrawByMapper(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase&
 /// Returns the image of a new mapper with the given render path.
 RgbaImage DrawByPath(int path, const ImageCase& what);
 /// Returns the image of vtkProjectedTetrahedraMapper. Only the scalars of the settings are used.
-RgbaImage DrawByVtkMapper(const ImageCase& what);
-RgbaImage DrawByReference(const ImageCase& what);
+RgbaImage DrawWithVtkMapper(const ImageCase& what);
+RgbaImage DrawReference(const ImageCase& what);
 
 const std::vector<int>& AllRenderPaths();
 std::string GetPathName(int path);

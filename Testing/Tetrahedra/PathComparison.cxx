@@ -145,7 +145,7 @@ std::string FormatPixel(int i, int j)
 
 }
 
-void ComparePaths(
+void CompareRenderPaths(
   const ImageCase& what, const std::string& name, Check& check, double silhouetteFraction)
 {
   const RgbaImage software = DrawByPath(Mapper::SOFTWARE_PATH, what);
@@ -166,7 +166,7 @@ void ComparePaths(
   }
   check.That(LargestAlpha(openGL) > 0.1, name + ": the volume is visible");
 
-  const RgbaImage expected = DrawByReference(sampled);
+  const RgbaImage expected = DrawReference(sampled);
   double error = 0.0;
   std::string position;
   for (const auto& [j, i] : AllIndices(height, width))
@@ -202,7 +202,7 @@ void ComparePaths(
             << different.size() << " silhouette pixels\n";
 }
 
-void ComparePathsAlongAxes(
+void CompareRenderPathsAlongAxes(
   ImageCase what, const std::string& name, Check& check, double silhouetteFraction)
 {
   for (bool parallel : { false, true })
@@ -214,7 +214,7 @@ void ComparePathsAlongAxes(
         Point3 direction = { { 0.0, 0.0, 0.0 } };
         direction[axis] = sign;
         what.Camera = LookAt(what.Grid, direction, parallel);
-        ComparePaths(what,
+        CompareRenderPaths(what,
           name + (parallel ? ", parallel, along " : ", perspective, along ") +
             (sign > 0.0 ? "+" : "-") + "xyz"[axis],
           check, silhouetteFraction);

@@ -22,12 +22,12 @@ class Check;
  * only in silhouette pixels: OpenGL rounds corners to 1/256 pixel, so a silhouette edge may lie on
  * the other side of a pixel's center. The fraction of these pixels is limited.
  */
-void ComparePaths(
+void CompareRenderPaths(
   const ImageCase& what, const std::string& name, Check& check, double silhouetteFraction = 5e-4);
 
 /// Compares the paths along both directions of each axis, in parallel and perspective projection.
 /// The camera of \a what is replaced.
-void ComparePathsAlongAxes(
+void CompareRenderPathsAlongAxes(
   ImageCase what, const std::string& name, Check& check, double silhouetteFraction = 5e-4);
 
 }

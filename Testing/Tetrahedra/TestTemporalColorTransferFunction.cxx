@@ -184,7 +184,7 @@ void TestVolumeImage(Check& check)
   opacity->AddPoint(times[0], extinction);
   ImageCase what;
   what.Grid = MakeCube(5);
-  AddLinear(what.Grid, "Time", times[0], { { times[2] - times[0], 0.0, 0.0 } });
+  AddLinearArray(what.Grid, "Time", times[0], { { times[2] - times[0], 0.0, 0.0 } });
   what.Property = MakeProperty({});
   what.Property->SetColor(function);
   what.Property->SetScalarOpacity(opacity);

@@ -19,7 +19,7 @@ int TestTetrahedraMapperAligned(int, char*[])
   };
   for (const DataTetrahedra& data : cases)
   {
-    ComparePathsAlongAxes(data.Make({ { 160, 160 } }), data.GetName(), check);
+    CompareRenderPathsAlongAxes(data.Make({ { 160, 160 } }), data.GetName(), check);
   }
   return check.Result();
 }

@@ -31,7 +31,7 @@ int TestTetrahedraMapperAlignedData(int, char*[])
   {
     // More pixels may differ: a plane of voxels that is seen edge-on can pass through the centers
     // of a whole column of pixels.
-    ComparePathsAlongAxes(data.Make({ { 120, 120 } }), data.GetName(), check, 3e-3);
+    CompareRenderPathsAlongAxes(data.Make({ { 120, 120 } }), data.GetName(), check, 3e-3);
   }
   return check.Result();
 }

@@ -47,7 +47,7 @@ ImageCase MakeCase(bool parallel)
 void Expect(
   Check& check, const ImageCase& what, const std::string& name, double openGLBound = Bound)
 {
-  const RgbaImage expected = DrawByReference(what);
+  const RgbaImage expected = DrawReference(what);
   check.That(LargestAlpha(expected) > 0.2, name + ": the volume is visible");
   for (int path : AllRenderPaths())
   {
@@ -64,7 +64,7 @@ void Expect(
 void TestBlendModes(Check& check, bool parallel)
 {
   ImageCase what = MakeCase(parallel);
-  AddSlabs(what.Grid, "IntervalId", 2, 4);
+  AddSlabIndices(what.Grid, "IntervalId", 2, 4);
   // Additive blending saturates, so it is also tested with a fainter volume.
   auto faint = MakeRamp(0.01, 0.1);
   const struct
@@ -74,7 +74,7 @@ void TestBlendModes(Check& check, bool parallel)
   } modes[] = { { Blend::Composite, "composite" }, { Blend::MaximumIntensity, "maximum" },
     { Blend::Additive, "additive" }, { Blend::Priority, "priority" },
     { Blend::OpticalDepth, "optical depth" } };
-  AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+  AddLinearArray(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
   for (const auto& mode : modes)
   {
     what.Settings.How = mode.How;
@@ -87,7 +87,7 @@ void TestBlendModes(Check& check, bool parallel)
   what.Settings.Arrays.DeltaT.clear();
   what.Settings.How = Blend::Additive;
   what.Property = faint;
-  const RgbaImage expected = DrawByReference(what);
+  const RgbaImage expected = DrawReference(what);
   for (int path : AllRenderPaths())
   {
     const ImageError error = CompareImages(DrawByPath(path, what), expected);
@@ -99,7 +99,7 @@ void TestBlendModes(Check& check, bool parallel)
 void TestPriorities(Check& check, bool parallel)
 {
   ImageCase what = MakeCase(parallel);
-  AddSlabs(what.Grid, "layer", 0, 3);
+  AddSlabIndices(what.Grid, "layer", 0, 3);
   what.Property = MakeProperty({ { 0.0, Red, 2.0 }, { 1.0, Green, 1.0 }, { 2.0, Blue, 3.0 } });
   what.Settings.How = Blend::Priority;
   what.Settings.Layers = "layer";
@@ -121,11 +121,11 @@ void TestAutomatic(Check& check)
   {
     if (hasExtent)
     {
-      AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+      AddLinearArray(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
       what.Settings.How = Blend::OpticalDepth;
       what.Settings.Arrays.DeltaT = "DeltaT";
     }
-    const RgbaImage expected = DrawByReference(what);
+    const RgbaImage expected = DrawReference(what);
     for (int path : AllRenderPaths())
     {
       vtkNew<Mapper> mapper;
@@ -230,13 +230,13 @@ void TestTransferFunctions(Check& check, bool parallel)
 void TestCellConstants(Check& check, bool parallel)
 {
   ImageCase what = MakeCase(parallel);
-  AddSlabs(what.Grid, "IntervalId", 1, 4);
+  AddSlabIndices(what.Grid, "IntervalId", 1, 4);
   what.Settings.Arrays.Scalars = "IntervalId";
   what.Settings.Arrays.OfCells = true;
   what.Property = MakeProperty(
     { { 0.0, Red, 3.0 }, { 1.0, Green, 0.0 }, { 2.0, Blue, 1.0 }, { 3.0, Green, 4.0 } });
   Expect(check, what, "constants of cells");
-  AddLinear(what.Grid, "DeltaT", 0.0, { { 0.5, 0.2, 0.9 } });
+  AddLinearArray(what.Grid, "DeltaT", 0.0, { { 0.5, 0.2, 0.9 } });
   what.Settings.Arrays.DeltaT = "DeltaT";
   Expect(check, what, "constants of cells, extent in time from 0");
 }
@@ -273,7 +273,7 @@ void TestNearlyOpaque(Check& check)
   what.Camera->SetClippingRange(1e-4, 10.0);
   what.Property = MakeRamp(12.0, 12.0);
   what.Grid = MakeCube(1);
-  const RgbaImage expected = DrawByReference(what);
+  const RgbaImage expected = DrawReference(what);
   what.Grid = MakeCube(16);
   for (int path : AllRenderPaths())
   {
@@ -337,7 +337,7 @@ void TestOpaque(Check& check, bool parallel)
       ImageCase what = MakeCase(parallel);
       what.Settings.How = how;
       AddPlane(what, behind, color);
-      RgbaImage expected = DrawByReference(what);
+      RgbaImage expected = DrawReference(what);
       for (const auto& [j, i] : AllIndices(expected.Height, expected.Width))
       {
         double* pixel = expected.At(i, j);

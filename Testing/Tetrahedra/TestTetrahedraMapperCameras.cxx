@@ -212,7 +212,7 @@ public:
     , Stage(std::array<int, 2>{ { 88, 72 } })
     , Camera(LookAt(this->Grid, Along, parallel))
   {
-    AddSlabs(this->Grid, "slab", 0, Slabs);
+    AddSlabIndices(this->Grid, "slab", 0, Slabs);
     if (isScreen)
     {
       // Move the volume instead of the camera.

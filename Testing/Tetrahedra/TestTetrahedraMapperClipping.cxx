@@ -271,7 +271,7 @@ void TestDepth(Check& check, const Path& path, const Planes& planes, bool parall
   Scene scene(parallel);
   const Point3 white = { { 1.0, 1.0, 1.0 } };
   scene.Property = MakeProperty({ { 0.0, white, LowExtinction }, { 1.0, white, HighExtinction } });
-  AddLinear(scene.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+  AddLinearArray(scene.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
   auto mapper = NewMapper(path);
   scene.SetMapper(mapper);
   SetPlanes(mapper, planes);
@@ -308,7 +308,7 @@ void TestDepth(Check& check, const Path& path, const Planes& planes, bool parall
 void TestColors(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
-  AddSlabs(scene.Grid, "slab", 0, 3);
+  AddSlabIndices(scene.Grid, "slab", 0, 3);
   const double extinctions[3] = { 2.0, 0.7, 4.0 };
   const Point3 colors[3] = { { { 1.0, 0.1, 0.0 } }, { { 0.0, 0.9, 0.3 } }, { { 0.2, 0.0, 1.0 } } };
   scene.Property = MakeProperty({ { 0.0, colors[0], extinctions[0] },
@@ -532,12 +532,12 @@ void TestEmptyAndInvalid(Check& check, const Path& path)
   const auto draw = [&]() { scene.Stage.Capture(1); };
   SetPlanes(mapper, { "", { { { { 0.0, 0.0, 1.0 } }, { { 0.0, 0.0, 0.5 } } } } });
   mapper->GetClippingPlanes()->GetItem(0)->SetNormal(0.0, 0.0, 0.0);
-  check.Contains(ErrorsOf(mapper, draw), "clipping plane 0");
+  check.Contains(CaptureErrors(mapper, draw), "clipping plane 0");
   mapper->GetClippingPlanes()->GetItem(0)->SetNormal(0.0, 0.0, 1.0);
   mapper->GetClippingPlanes()->GetItem(0)->SetOrigin(
     0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
   mapper->Modified();
-  check.Contains(ErrorsOf(mapper, draw), "clipping plane 0");
+  check.Contains(CaptureErrors(mapper, draw), "clipping plane 0");
 }
 
 }

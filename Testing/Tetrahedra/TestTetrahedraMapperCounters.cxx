@@ -135,7 +135,7 @@ void TestDeltaT(Check& check, int path, bool parallel)
   check.That(!HasFeature(without, "delta-t"), scene.Name + ": no extent in time");
   check.Equal(
     without->GetCount("BlendMode"), Mapper::COMPOSITE_BLEND, scene.Name + ": automatic blend");
-  AddLinear(scene.What.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+  AddLinearArray(scene.What.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
   const ReportCopy with = scene.Draw();
   check.That(HasFeature(with, "delta-t"), scene.Name + ": an extent in time");
   check.Equal(
@@ -156,7 +156,7 @@ void TestOrder(Check& check, int path, bool parallel)
   for (const auto& mode : modes)
   {
     Scene scene(path, parallel);
-    AddSlabs(scene.What.Grid, "IntervalId", 2, 3);
+    AddSlabIndices(scene.What.Grid, "IntervalId", 2, 3);
     if (mode.How == Blend::Composite)
     {
       scene.What.Property = MakeProperty({ { 0.0, Red, 0.1 }, { 1.0, Red, 1.0 } });
@@ -281,7 +281,7 @@ void TestGaps(Check& check, int path, bool parallel)
 {
   Scene scene(path, parallel);
   scene.What.Grid = MakeCube(3);
-  AddSlabs(scene.What.Grid, "slab", 2, 3);
+  AddSlabIndices(scene.What.Grid, "slab", 2, 3);
   vtkNew<vtkCellArray> cells;
   for (vtkIdType cell = 0; cell < scene.What.Grid->GetNumberOfCells(); ++cell)
   {

@@ -65,11 +65,11 @@ public:
     {
       const std::string projection = parallel ? "parallel" : "perspective";
       const ImageCase what = MakeCase(grid, property, direction, parallel, size);
-      const RgbaImage expected = DrawByReference(what);
+      const RgbaImage expected = DrawReference(what);
       std::ostringstream text;
       text.precision(3);
       text << "largest channel error, relative to the largest alpha; error of VTK's mapper: "
-           << ErrorOf(DrawByVtkMapper(what), expected);
+           << ErrorOf(DrawWithVtkMapper(what), expected);
       for (int path : AllRenderPaths())
       {
         const RgbaImage found = DrawByPath(path, what);

@@ -60,7 +60,7 @@ Misses Compare(const RgbaImage& found, const RgbaImage& expected)
 void Expect(StabilityCatalogue& catalogue, const std::string& name, const ImageCase& what,
   const Misses& software, const Misses& opengl)
 {
-  const RgbaImage expected = DrawByReference(what);
+  const RgbaImage expected = DrawReference(what);
   const bool isSeen = LargestAlpha(expected) > 0.05;
   for (const int path : AllRenderPaths())
   {
@@ -161,7 +161,7 @@ void TestNeedles(StabilityCatalogue& catalogue)
       const vtkIdType ids[4] = { 0, 1, 2 + i, 2 + (i + 1) % needles };
       grid->InsertNextCell(VTK_TETRA, 4, ids);
     }
-    AddLinear(grid, "f", 0.2, { { 0.3, 0.2, 0.5 } });
+    AddLinearArray(grid, "f", 0.2, { { 0.3, 0.2, 0.5 } });
     grid->GetPointData()->SetActiveScalars("f");
     for (bool parallel : { true, false })
     {

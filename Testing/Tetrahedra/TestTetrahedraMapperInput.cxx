@@ -198,7 +198,7 @@ public:
       change(what);
       Attempt attempt(path, what);
       const Outcome outcome = attempt.Draw();
-      const RgbaImage expected = DrawByReference(what);
+      const RgbaImage expected = DrawReference(what);
       const std::string row = name + "-" + GetPathName(path);
       this->Catalogue.Check(row, extreme,
         std::to_string(nonFinite) + " not finite, " + std::to_string(flat) + " flat, no error",
@@ -266,7 +266,7 @@ void TestErrors(Table& table)
       [&kind](ImageCase& what)
       {
         what.Grid = MakeMesh(kind.Kind, { { 2, 2, 2 } });
-        AddLinear(what.Grid, "f", 0.1, { { 0.5, 0.3, 0.1 } });
+        AddLinearArray(what.Grid, "f", 0.1, { { 0.5, 0.3, 0.1 } });
         what.Grid->GetPointData()->SetActiveScalars("f");
       });
   }
@@ -374,7 +374,7 @@ void TestNonFinite(Table& table)
     table.Skipped(std::string("delta-t-") + value.Name, prefix + "the extent in time", cells, 0,
       [x](ImageCase& what)
       {
-        AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+        AddLinearArray(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
         what.Grid->GetPointData()->GetArray("DeltaT")->SetComponent(point, 0, x);
         what.Settings.Arrays.DeltaT = "DeltaT";
         what.Settings.How = Blend::OpticalDepth;
@@ -459,7 +459,7 @@ void TestGhosts(Table& table)
         cells->InsertNextCell(4, corners);
       }
       half.Grid->SetCells(VTK_TETRA, cells);
-      const RgbaImage expected = DrawByReference(half);
+      const RgbaImage expected = DrawReference(half);
       return LargestAlpha(expected) > 0.2 &&
         outcome.Report->GetNumber("NonFiniteTetrahedra") == 0 &&
         outcome.Report->GetNumber("FlatTetrahedra") == 0 &&
@@ -573,7 +573,7 @@ void TestSizes(Table& table)
       attempt.Stage.Render();
       renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
       outcome = attempt.Draw();
-      return CompareImages(outcome.Image, DrawByReference(MakeCase())).Max < Bound;
+      return CompareImages(outcome.Image, DrawReference(MakeCase())).Max < Bound;
     },
     [](ImageCase&) {});
 }

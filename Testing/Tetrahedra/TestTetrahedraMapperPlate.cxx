@@ -74,7 +74,7 @@ Opacity Measure(const ImageCase& what, const RgbaImage& image, double extinction
   double longest = 0.0;
   for (const auto& [pass, j, i] : AllIndices(2, image.Height, image.Width))
   {
-    const double chord = BoxChord(what.Grid, rays.Get(i, j));
+    const double chord = GetChordLength(what.Grid, rays.Get(i, j));
     const double* pixel = image.At(i, j);
     const double expected = -std::expm1(-extinction * chord);
     const double error = std::abs(pixel[3] - expected);

@@ -77,8 +77,8 @@ void Expect(Check& check, Mapper* mapper, const ImageCase& what, const std::stri
 ImageCase MakeBlock(bool parallel)
 {
   ImageCase what = MakeCase(MakeCube(5), MakeRamp(0.1, 1.0, 0.25), Slanted, parallel);
-  AddSlabs(what.Grid, "IntervalId", 2, 4);
-  AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
+  AddSlabIndices(what.Grid, "IntervalId", 2, 4);
+  AddLinearArray(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
   return what;
 }
 

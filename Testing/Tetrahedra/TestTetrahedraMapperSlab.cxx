@@ -37,7 +37,7 @@ void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extin
   for (const auto& [j, i] : AllIndices(image.Height, image.Width))
   {
     const double* pixel = image.At(i, j);
-    if (BoxChord(grid, rays.Get(i, j)) > 0.5)
+    if (GetChordLength(grid, rays.Get(i, j)) > 0.5)
     {
       ++inside;
       lowest = std::min(lowest, pixel[3]);
@@ -71,7 +71,7 @@ void TestChords(Check& check, int path, bool parallel)
   const PixelRays rays(what.Camera, what.Settings.Size);
   for (const auto& [j, i] : AllIndices(image.Height, image.Width))
   {
-    const double alpha = -std::expm1(-extinction * BoxChord(grid, rays.Get(i, j)));
+    const double alpha = -std::expm1(-extinction * GetChordLength(grid, rays.Get(i, j)));
     check.Near(image.At(i, j)[3], alpha, bound, "alpha of a chord", 1.0);
     check.Near(image.At(i, j)[0], alpha, bound, "red of a chord", 1.0);
   }

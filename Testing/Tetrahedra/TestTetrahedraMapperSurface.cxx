@@ -165,7 +165,7 @@ void ExpectInside(Check& check, vtkUnstructuredGrid* grid, vtkCamera* camera,
       bool isInside = true;
       for (int k = 0; k < 9; ++k)
       {
-        isInside = isInside && BoxChord(grid, rays.Get(i + k % 3 - 1, j + k / 3 - 1)) > 0.0;
+        isInside = isInside && GetChordLength(grid, rays.Get(i + k % 3 - 1, j + k / 3 - 1)) > 0.0;
       }
       for (int k = 0; k < 4 && isInside; ++k)
       {
@@ -318,7 +318,7 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   for (const auto& [j, i] : AllIndices(Size[1], Size[0]))
   {
     const Ray ray = rays.Get(i, j);
-    const double chord = BoxChord(grid, ray);
+    const double chord = GetChordLength(grid, ray);
     const double height = chord * std::abs(static_cast<double>(ray.Direction[2]));
     // Use only rays through the faces z = 0 and z = 1 of the slab.
     if (std::abs(height - 1.0) < 1e-9)
@@ -504,7 +504,7 @@ void TestOtherModes(Check& check, int path)
 {
   ImageCase what;
   what.Grid = MakeCube(2);
-  AddSlabs(what.Grid, "IntervalId", 2, 2);
+  AddSlabIndices(what.Grid, "IntervalId", 2, 2);
   what.Property = MakeRamp(0.1, 1.0);
   what.Camera = LookAt(what.Grid, Slanted, true);
   auto sides = MakeSides(what.Grid);

@@ -37,7 +37,7 @@ constexpr double SilhouetteFraction = 0.02;
 void AddScalars(vtkUnstructuredGrid* grid, Random& random)
 {
   const Point3 gradient = random.GetPoint(0.4);
-  AddLinear(grid, "f", 0.5, gradient);
+  AddLinearArray(grid, "f", 0.5, gradient);
   // Without noise, interpolation in the wrong tetrahedron would have no effect.
   vtkDataArray* values = grid->GetPointData()->GetArray("f");
   for (vtkIdType id = 0; id < values->GetNumberOfTuples(); ++id)
@@ -142,7 +142,7 @@ void TestColumns(Check& check, Random& random)
           Point3{ { 1.0, 1.0, 0.0 } }, Point3{ { 1.0, 1.0, 1.0 } } })
       {
         what.Camera = LookAt(grid, direction, parallel);
-        ComparePaths(what,
+        CompareRenderPaths(what,
           "columns " + std::to_string(shift) + (parallel ? ", parallel" : ", perspective") +
             ", along " + std::to_string(direction[0]) + " " + std::to_string(direction[1]) + " " +
             std::to_string(direction[2]),
@@ -184,7 +184,7 @@ void TestRegularGrids(Check& check, Random& random)
         for (bool parallel : { false, true })
         {
           what.Camera = LookAt(grid, direction, parallel);
-          ComparePaths(what,
+          CompareRenderPaths(what,
             (hasFive ? "five per cube, moved by " : "six per cube, moved by ") +
               std::to_string(shift) + (parallel ? ", parallel" : ", perspective") + ", along " +
               std::to_string(direction[0]) + " " + std::to_string(direction[1]) + " " +

@@ -51,7 +51,7 @@ public:
     this->What.Settings.How = how;
     this->What.Settings.Arrays.Scalars = "f";
     this->What.Settings.Layers = "layer";
-    AddSlabs(this->What.Grid, "layer", 2, 3);
+    AddSlabIndices(this->What.Grid, "layer", 2, 3);
     this->Setup(this->Reused);
   }
 
@@ -134,7 +134,7 @@ void ReplaceShape(Scene& scene, vtkSmartPointer<vtkUnstructuredGrid> grid)
     grid->GetPointData()->AddArray(scene.GetArray(name));
   }
   grid->GetPointData()->SetActiveScalars("f");
-  AddSlabs(grid, "layer", 2, 3);
+  AddSlabIndices(grid, "layer", 2, 3);
   scene.What.Grid = grid;
 }
 
@@ -226,7 +226,7 @@ void TestValues(Check& check, int path)
       "another grid: only values are uploaded");
   }
 
-  AddLinear(scene.GetGrid(), "extent", 1.0, { { -0.8, 0.5, 0.3 } });
+  AddLinearArray(scene.GetGrid(), "extent", 1.0, { { -0.8, 0.5, 0.3 } });
   scene.What.Settings.Arrays.DeltaT = "extent";
   check.That(!scene.Draw(check, "an extent in time")->GetNumber("MeshRebuilt"),
     "an extent in time: the mesh is not rebuilt");
@@ -264,7 +264,7 @@ void TestLayers(Check& check, int path)
 {
   Scene scene(path, Blend::Priority);
   scene.Draw(check, "layers");
-  AddSlabs(scene.GetGrid(), "layer", 1, 2);
+  AddSlabIndices(scene.GetGrid(), "layer", 1, 2);
   const ReportCopy report = scene.Draw(check, "other layers");
   check.That(!report->GetNumber("MeshRebuilt"), "other layers: the mesh is not rebuilt");
   check.Equal(report->GetCount("Layers"), 2, "other layers: number of layers");
@@ -274,7 +274,7 @@ void TestLayers(Check& check, int path)
 void TestSequence(Check& check, int path, Blend how, unsigned int seed)
 {
   Scene scene(path, how);
-  AddLinear(scene.GetGrid(), "extent", 1.0, { { -0.8, 0.5, 0.3 } });
+  AddLinearArray(scene.GetGrid(), "extent", 1.0, { { -0.8, 0.5, 0.3 } });
   std::mt19937 random(seed);
   const auto number = [&random](int limit)
   { return static_cast<int>(random() % static_cast<unsigned int>(limit)); };

@@ -271,7 +271,7 @@ void TestPeeling(Check& check, const Scene& scene, int samples, bool isPeeled)
   const std::string name = scene.Name + std::to_string(samples) + " samples, " +
     (isPeeled ? "depth peeling" : "no depth peeling");
   View view(scene, scene.MakeVolume(), Slanted, { { 80, 64 } }, samples);
-  AllowPeelingOfSamples(view.Window);
+  AllowMultisampledDepthPeeling(view.Window);
   view.Window->SetAlphaBitPlanes(1);
   view.Renderer->SetUseDepthPeeling(isPeeled);
   view.Renderer->SetMaximumNumberOfPeels(8);

@@ -66,9 +66,9 @@ interlume::TetrahedraMesh MakeFan(int number)
 // Checks that an interior face is no longer matched if a third tetrahedron uses it.
 void CheckThird(Check& check)
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 5;
-  interlume::TetrahedraMesh mesh = MakeCubes(form);
+  interlume::TetrahedraMesh mesh = MakeCubeMesh(form);
   const auto countOpen = [&mesh]()
   {
     const std::vector<std::uint32_t> twins = interlume::FaceAdjacency::FindTwins(mesh);
@@ -96,19 +96,19 @@ int TestTetrahedraSortAdjacency(int, char*[])
 {
   Check check;
   CheckMesh(interlume::TetrahedraMesh(), "empty", check);
-  CubeMesh form;
+  CubeMeshSettings form;
   for (const int pieces : { 5, 6 })
   {
     form.Pieces = pieces;
     form.Cubes = 14;
-    const interlume::TetrahedraMesh mesh = Shuffle(MakeCubes(form), 5);
+    const interlume::TetrahedraMesh mesh = Shuffle(MakeCubeMesh(form), 5);
     CheckMesh(mesh, std::to_string(pieces) + " tetrahedra of a cube", check);
-    CheckMesh(Separate(mesh), "without shared points", check);
+    CheckMesh(SeparateTetrahedra(mesh), "without shared points", check);
   }
   for (const Shape& shape : GetShapes())
   {
     form.IsIn = shape.IsIn;
-    CheckMesh(MakeCubes(form), shape.Name, check);
+    CheckMesh(MakeCubeMesh(form), shape.Name, check);
   }
   CheckMesh(MakeFan(50000), "a fan", check);
   interlume::TetrahedraMesh twice = MakeFan(1000);

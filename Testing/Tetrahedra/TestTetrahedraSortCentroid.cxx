@@ -6,7 +6,7 @@
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/CentroidOrder.h"
-#include "Order/RadixOrder.h"
+#include "Order/RadixSorter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> SortStably(const std::vector<Key>& keys)
 void CheckRadix(Check& check)
 {
   std::mt19937 random(7);
-  interlume::RadixOrder radix;
+  interlume::RadixSorter radix;
   for (const std::uint32_t number : { 0u, 1u, 2u, 1000u, 16384u, 300000u, 17u })
   {
     // One or two different keys, and keys of one to three digits of 11 bits. Keys of less than 32
@@ -60,10 +60,10 @@ void CheckFloatKeys(Check& check)
   for (std::size_t i = 1; i < values.size(); ++i)
   {
     check.That(
-      interlume::RadixOrder::MakeKey(values[i - 1]) < interlume::RadixOrder::MakeKey(values[i]),
+      interlume::RadixSorter::MakeKey(values[i - 1]) < interlume::RadixSorter::MakeKey(values[i]),
       "keys sort as floats do");
   }
-  check.That(interlume::RadixOrder::MakeKey(-0.0f) == interlume::RadixOrder::MakeKey(0.0f),
+  check.That(interlume::RadixSorter::MakeKey(-0.0f) == interlume::RadixSorter::MakeKey(0.0f),
     "0 and -0 have the same key");
 }
 
@@ -95,9 +95,9 @@ std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlu
 // many are equal.
 void CheckRegularGrid(Check& check)
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 16;
-  const interlume::TetrahedraMesh mesh = Shuffle(MakeCubes(form), 3);
+  const interlume::TetrahedraMesh mesh = Shuffle(MakeCubeMesh(form), 3);
   interlume::CentroidOrder centroids;
   std::vector<std::uint32_t> order;
   for (const bool isParallel : { false, true })
@@ -119,10 +119,10 @@ void CheckRegularGrid(Check& check)
 // the single-precision rounding error of the mesh size.
 void CheckPrecision(Check& check)
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 12;
   form.Jitter = 0.2;
-  const interlume::TetrahedraMesh mesh = MakeCubes(form);
+  const interlume::TetrahedraMesh mesh = MakeCubeMesh(form);
   interlume::CentroidOrder centroids;
   std::vector<std::uint32_t> order;
   for (const double distance : { 0.001, 0.3, 0.9, 2.0, 1e3, 1e6 })

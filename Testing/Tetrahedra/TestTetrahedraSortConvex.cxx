@@ -48,31 +48,31 @@ int TestTetrahedraSortConvex(int, char*[])
 {
   Check check;
   OrderTally tally;
-  CubeMesh form;
+  CubeMeshSettings form;
   for (const int pieces : { 5, 6 })
   {
     form.Pieces = pieces;
     form.Cubes = 12;
     form.Jitter = 0.0;
-    CheckMesh(MakeCubes(form), std::to_string(pieces) + " per cube", 60, false, tally, check);
-    CheckMesh(Shuffle(MakeCubes(form), 9), std::to_string(pieces) + " per cube, shuffled", 60,
+    CheckMesh(MakeCubeMesh(form), std::to_string(pieces) + " per cube", 60, false, tally, check);
+    CheckMesh(Shuffle(MakeCubeMesh(form), 9), std::to_string(pieces) + " per cube, shuffled", 60,
       false, tally, check);
     for (const double jitter : { 0.05, 0.15, 0.25 })
     {
       form.Jitter = jitter;
       form.Seed = pieces + static_cast<unsigned int>(100 * jitter);
-      CheckMesh(
-        MakeCubes(form), std::to_string(pieces) + " per cube, displaced", 60, true, tally, check);
+      CheckMesh(MakeCubeMesh(form), std::to_string(pieces) + " per cube, displaced", 60, true,
+        tally, check);
     }
   }
   form.Jitter = 0.0;
   form.Cubes = 25;
-  CheckMesh(MakeCubes(form), "93,750 tetrahedra", 40, false, tally, check);
+  CheckMesh(MakeCubeMesh(form), "93,750 tetrahedra", 40, false, tally, check);
   form.Cubes = 8;
   for (unsigned int seed = 1; seed <= 6; ++seed)
   {
     form.Pieces = seed % 2 ? 5 : 6;
-    interlume::TetrahedraMesh mesh = MakeCubes(form);
+    interlume::TetrahedraMesh mesh = MakeCubeMesh(form);
     Distort(mesh, 0.02 * seed, 10, seed);
     CheckMesh(mesh, "distorted, " + std::to_string(seed), 100, true, tally, check);
   }

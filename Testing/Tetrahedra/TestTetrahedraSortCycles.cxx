@@ -193,13 +193,13 @@ bool IsOrderConsistent(
 // Tests cycles through shared faces, which occur in convex meshes of long and thin tetrahedra.
 void CheckDistorted(Check& check)
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 6;
   form.Pieces = 5;
   long long found = 0;
   for (unsigned int seed = 1; seed <= 12; ++seed)
   {
-    interlume::TetrahedraMesh mesh = MakeCubes(form);
+    interlume::TetrahedraMesh mesh = MakeCubeMesh(form);
     Distort(mesh, 0.15, 20, seed);
     interlume::VisibilityOrder visibility;
     visibility.Build(mesh);

@@ -36,7 +36,7 @@ void CheckOrder(
 // planes. In images of odd size, some rays lie in them.
 void CheckAlignedEyePositions(Check& check)
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 6;
   const double step = 1.0 / 6.0;
   const Point eyes[] = { { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, step / 2 } },
@@ -45,8 +45,8 @@ void CheckAlignedEyePositions(Check& check)
   for (const int pieces : { 5, 6 })
   {
     form.Pieces = pieces;
-    const interlume::TetrahedraMesh connected = MakeCubes(form);
-    const interlume::TetrahedraMesh separate = Separate(connected);
+    const interlume::TetrahedraMesh connected = MakeCubeMesh(form);
+    const interlume::TetrahedraMesh separate = SeparateTetrahedra(connected);
     for (const Point& eye : eyes)
     {
       for (const int pixels : { 64, 65 })
@@ -81,9 +81,9 @@ void CheckAlignedEyePositions(Check& check)
 // position exactly.
 void CheckRotated(Check& check)
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 8;
-  interlume::TetrahedraMesh mesh = MakeCubes(form);
+  interlume::TetrahedraMesh mesh = MakeCubeMesh(form);
   // Rows of a rotation matrix whose elements are not binary fractions.
   const double rotation[3][3] = { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0.0 }, { 0.48, 0.64, 0.6 } };
   const auto rotate = [&](const glm::dvec3& p)
@@ -136,9 +136,9 @@ void CheckSmall(Check& check)
 // Checks that overlapping, folded and flat tetrahedra, which have no order, are all output.
 void CheckInvalid(Check& check)
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 4;
-  const interlume::TetrahedraMesh cubes = MakeCubes(form);
+  const interlume::TetrahedraMesh cubes = MakeCubeMesh(form);
   std::vector<std::pair<std::string, interlume::TetrahedraMesh>> meshes;
 
   interlume::TetrahedraMesh mesh = cubes;

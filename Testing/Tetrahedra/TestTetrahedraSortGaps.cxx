@@ -53,14 +53,14 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name,
 // Returns two touching slabs that are split into tetrahedra differently and share no points.
 interlume::TetrahedraMesh MakeTouchingSlabs()
 {
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 8;
   form.IsIn = [](const std::array<double, 3>& p) { return p[2] < 0.0; };
-  interlume::TetrahedraMesh mesh = MakeCubes(form);
+  interlume::TetrahedraMesh mesh = MakeCubeMesh(form);
   form.Cubes = 10;
   form.Pieces = 5;
   form.IsIn = [](const std::array<double, 3>& p) { return p[2] > 0.0; };
-  const interlume::TetrahedraMesh other = MakeCubes(form);
+  const interlume::TetrahedraMesh other = MakeCubeMesh(form);
   const std::uint32_t points = static_cast<std::uint32_t>(mesh.Points.size() / 3);
   mesh.Points.insert(mesh.Points.end(), other.Points.begin(), other.Points.end());
   for (const std::uint32_t corner : other.Corners)
@@ -75,31 +75,32 @@ int TestTetrahedraSortGaps(int, char*[])
 {
   Check check;
   Tally tally;
-  CubeMesh form;
+  CubeMeshSettings form;
   for (const Shape& shape : GetShapes())
   {
     form.IsIn = shape.IsIn;
     form.Cubes = 16;
     form.Jitter = 0.0;
     form.Pieces = 6;
-    CheckMesh(MakeCubes(form), shape.Name, shape.Hole, 60, false, tally, check);
+    CheckMesh(MakeCubeMesh(form), shape.Name, shape.Hole, 60, false, tally, check);
     form.Pieces = 5;
     form.Jitter = 0.12;
-    CheckMesh(
-      Shuffle(MakeCubes(form), 3), shape.Name + ", displaced", shape.Hole, 60, true, tally, check);
+    CheckMesh(Shuffle(MakeCubeMesh(form), 3), shape.Name + ", displaced", shape.Hole, 60, true,
+      tally, check);
   }
   form.Jitter = 0.0;
   form.Pieces = 6;
   form.Cubes = 30;
   form.IsIn = GetShapes()[0].IsIn;
-  const interlume::TetrahedraMesh large = MakeCubes(form);
+  const interlume::TetrahedraMesh large = MakeCubeMesh(form);
   CheckMesh(large, std::to_string(large.GetNumberOfTetrahedra()) + " tetrahedra",
     GetShapes()[0].Hole, 30, false, tally, check);
 
-  CubeMesh small;
+  CubeMeshSettings small;
   small.Cubes = 6;
   const std::array<double, 3> inside = { { 0.11, 0.13, 0.12 } };
-  CheckMesh(Separate(MakeCubes(small)), "no shared points", inside, 100, false, tally, check);
+  CheckMesh(
+    SeparateTetrahedra(MakeCubeMesh(small)), "no shared points", inside, 100, false, tally, check);
   CheckMesh(MakeDelaunay(1500, 4), "Delaunay", inside, 100, false, tally, check);
   CheckMesh(MakeTouchingSlabs(), "touching slabs", inside, 100, false, tally, check);
 

@@ -59,17 +59,17 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, C
 int TestTetrahedraSortThreads(int, char*[])
 {
   Check check;
-  CubeMesh form;
+  CubeMeshSettings form;
   form.Cubes = 22;
   form.IsIn = GetShapes()[0].IsIn;
-  CheckMesh(MakeCubes(form), "sphere with holes", check);
+  CheckMesh(MakeCubeMesh(form), "sphere with holes", check);
   // The distorted mesh has visibility cycles. Without shared points, it has the maximum number of
   // boundary faces.
   form.Cubes = 8;
   form.Pieces = 5;
-  interlume::TetrahedraMesh mesh = MakeCubes(form);
+  interlume::TetrahedraMesh mesh = MakeCubeMesh(form);
   Distort(mesh, 0.1, 20, 1);
   CheckMesh(mesh, "distorted", check);
-  CheckMesh(Separate(mesh), "no shared points", check);
+  CheckMesh(SeparateTetrahedra(mesh), "no shared points", check);
   return check.Result();
 }

@@ -120,7 +120,7 @@ void CheckVolume(Check& check)
   const auto field = [](const Double3& x)
   { return std::max(std::sin(5.0 * x[0] + 1.0) * std::cos(4.0 * x[1]) + 0.5 * x[2], 0.0); };
   // 17 cells, so that the last block of four cells extends past the image.
-  ShadowScene scene = MakeScene(MakeImage(17, field), MakeSoftProperty(0.7, false));
+  ShadowScene scene = MakeScene(MakeImage(17, field), MakeTranslucentProperty(0.7, false));
   vtkNew<vtkColorTransferFunction> albedo;
   albedo->AddRGBPoint(0.0, 1.0, 0.5, 0.0);
   albedo->AddRGBPoint(1.0, 0.2, 0.5, 0.9);

@@ -87,7 +87,7 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
 /// Returns the results of an earlier run, or empty results for this machine.
 BenchResults Start(const Arguments& arguments)
 {
-  return arguments.From.empty() ? BenchResults::Here(arguments.Options)
+  return arguments.From.empty() ? BenchResults::MakeForThisMachine(arguments.Options)
                                 : BenchResults::Read(arguments.From);
 }
 
@@ -148,7 +148,7 @@ void WriteReport(const Suites& suites, const Arguments& arguments)
   {
     page.AddCosts(BenchResults::Read(arguments.Costs));
   }
-  page.AddCatalogue(cases);
+  page.AddStabilityCatalog(cases);
   const std::string path = (folder / "index.html").string();
   page.Write(path);
   std::cout << path << std::endl;

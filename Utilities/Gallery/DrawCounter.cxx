@@ -72,7 +72,7 @@ int DrawCounter::GetPasses() const
 BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
 {
   BufferCount count;
-  const vtkIdType pixels = panel.GetPixels();
+  const vtkIdType pixels = panel.GetNumberOfPixels();
   // The color (RGBA8) and depth textures of the window, and the textures into which they are
   // resolved.
   count.Buffers = 4;

@@ -98,7 +98,7 @@ void Draw(const Options& options)
 {
   const gallery::ImageSize size = ParseSize(options.Size, options.Samples);
   const std::vector<const gallery::Scene*> scenes = ChosenScenes(options.Scenes);
-  const gallery::DisplayHold display;
+  const gallery::DisplayKeepAlive display;
   if (!vtksys::SystemTools::MakeDirectory(options.Out))
   {
     throw std::runtime_error("Cannot create the directory " + options.Out + ".");

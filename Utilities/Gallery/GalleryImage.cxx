@@ -27,7 +27,7 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height)
   return window;
 }
 
-DisplayHold::DisplayHold()
+DisplayKeepAlive::DisplayKeepAlive()
   : Window(MakeWindow(8, 8))
 {
   this->Window->Render();
@@ -55,7 +55,7 @@ void Paste(vtkImageData* whole, vtkImageData* part, int left, int bottom)
   }
 }
 
-vtkSmartPointer<vtkImageData> AverageDown(vtkImageData* large, int factor)
+vtkSmartPointer<vtkImageData> DownsampleRgbImage(vtkImageData* large, int factor)
 {
   auto small = vtkSmartPointer<vtkImageData>::New();
   small->SetDimensions(large->GetDimensions()[0] / factor, large->GetDimensions()[1] / factor, 1);

@@ -19,12 +19,12 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height);
 /**
  * Keeps a connection to the display open. A virtual X server resets when its last client
  * disconnects, and no window can be opened during the reset. Programs that open several windows one
- * after another should first create a DisplayHold.
+ * after another should first create a DisplayKeepAlive.
  */
-class DisplayHold
+class DisplayKeepAlive
 {
 public:
-  DisplayHold();
+  DisplayKeepAlive();
 
 private:
   vtkSmartPointer<vtkRenderWindow> Window;
@@ -45,7 +45,7 @@ void Paste(vtkImageData* whole, vtkImageData* part, int left, int bottom);
  * Returns \a large reduced by \a factor along each axis. Each pixel is the mean of factor x factor
  * pixels.
  */
-vtkSmartPointer<vtkImageData> AverageDown(vtkImageData* large, int factor);
+vtkSmartPointer<vtkImageData> DownsampleRgbImage(vtkImageData* large, int factor);
 }
 
 #endif

@@ -72,7 +72,7 @@ std::string NumberLabel(double value, double span)
 
 void SetStyle(vtkTextProperty* style, int fontSize, bool bold)
 {
-  const vtkColor3d ink = Ink();
+  const vtkColor3d ink = TextColor();
   style->SetFontFamilyToArial();
   style->SetFontSize(fontSize);
   style->SetBold(bold);
@@ -123,7 +123,7 @@ void AddColorBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToCol
   {
     const double fraction = static_cast<double>(i) / (labels - 1);
     rectangles.Add(
-      left + fraction * width - 0.5 * tick, y - 0.3 * fontSize, tick, 0.3 * fontSize, Ink());
+      left + fraction * width - 0.5 * tick, y - 0.3 * fontSize, tick, 0.3 * fontSize, TextColor());
     AddText(overlay, NumberLabel(lower + fraction * (upper - lower), upper - lower),
       left + fraction * width, y - 0.9 * fontSize, fontSize);
   }

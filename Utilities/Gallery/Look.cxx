@@ -57,12 +57,12 @@ vtkColor3d DarkBackground()
   return { 0.065, 0.072, 0.085 };
 }
 
-vtkColor3d Ink()
+vtkColor3d TextColor()
 {
   return { 0.13, 0.15, 0.18 };
 }
 
-vtkColor3d Pencil()
+vtkColor3d OutlineColor()
 {
   return { 0.62, 0.64, 0.67 };
 }

@@ -21,10 +21,10 @@ vtkColor3d Background();
 vtkColor3d DarkBackground();
 
 /// Returns the color of text.
-vtkColor3d Ink();
+vtkColor3d TextColor();
 
 /// Returns the color of outlines and of surfaces that only provide context.
-vtkColor3d Pencil();
+vtkColor3d OutlineColor();
 
 /**
  * Returns the color of interval \a i, 0 to 5. The six hues have similar saturation and remain

@@ -78,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Used by Stage. GetPoints() returns the points to which Fit() fits the camera. GetPixels()
-   * returns the number of pixels drawn by the last call of Draw().
+   * Used by Stage. GetPoints() returns the points to which Fit() fits the camera.
+   * GetNumberOfPixels() returns the number of pixels drawn by the last call of Draw().
    */
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkCamera* GetCamera() const { return this->Camera; }
@@ -92,7 +92,7 @@ public:
   /// Draws the panel in \a window, which must contain only this panel's renderer. The window can be
   /// reused.
   vtkSmartPointer<vtkImageData> DrawIn(vtkRenderWindow* window);
-  vtkIdType GetPixels() const { return this->Pixels; }
+  vtkIdType GetNumberOfPixels() const { return this->Pixels; }
   ///@}
 
 private:

@@ -135,7 +135,7 @@ vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& arr
   return vtkDataSet::SafeDownCast(gradient->GetOutput());
 }
 
-vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index)
+vtkSmartPointer<vtkPolyData> MakeGridSurface(vtkStructuredGrid* grid, int axis, int index)
 {
   int extent[6];
   grid->GetExtent(extent);

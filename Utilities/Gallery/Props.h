@@ -70,7 +70,7 @@ vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& arr
 /**
  * Returns the grid surface with the index \a index along \a axis (0 to 2), such as a wall.
  */
-vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index);
+vtkSmartPointer<vtkPolyData> MakeGridSurface(vtkStructuredGrid* grid, int axis, int index);
 
 /**
  * Returns a copy of \a image in which the cells below both \a x and \a y are hidden. This cuts a

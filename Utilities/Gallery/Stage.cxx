@@ -219,7 +219,7 @@ vtkSmartPointer<vtkImageData> Stage::Render()
     AddVolumeReports(panel, this->Report);
   }
   this->Report.Panels = static_cast<int>(this->Panels.size());
-  image = AverageDown(image, this->Samples);
+  image = DownsampleRgbImage(image, this->Samples);
   this->Report.RenderSeconds = watch.Seconds();
   return image;
 }

@@ -35,14 +35,14 @@ void BalanceColors(vtkColorTransferFunction* colors)
   }
 }
 
-Panel& AddPanelInTime(
+Panel& AddTimePanel(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction)
 {
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
   interval->SetInterval(0, lower, upper);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, source);
   const std::vector<double> times = GetTimeSteps(source);
-  vtkSmartPointer<vtkVolume> volume = MakeVolumeInTime(tetrahedra, times, extinction);
+  vtkSmartPointer<vtkVolume> volume = MakeTimeColoredVolume(tetrahedra, times, extinction);
   BalanceColors(volume->GetProperty()->GetRGBTransferFunction());
   GetMapper(volume)->SetBlendModeToAdditive();
 

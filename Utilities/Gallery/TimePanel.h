@@ -29,7 +29,7 @@ void BalanceColors(vtkColorTransferFunction* colors);
  * BalanceColors(), are blended additively. \a extinction is per unit of length and time. Sets the
  * color bar of the stage.
  */
-Panel& AddPanelInTime(
+Panel& AddTimePanel(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction);
 }
 

@@ -53,7 +53,7 @@ vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
   return Make(tetrahedra, VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, "IntervalId", colors, extinction);
 }
 
-vtkSmartPointer<vtkVolume> MakeVolumeInTime(
+vtkSmartPointer<vtkVolume> MakeTimeColoredVolume(
   vtkUnstructuredGrid* tetrahedra, const std::vector<double>& times, double extinction)
 {
   vtkNew<vtkTemporalColorTransferFunction> colors;

@@ -47,7 +47,7 @@ vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
  * vtkTemporalColorTransferFunction of the step times maps the point array `Time` to colors.
  * \a extinction is per unit of length and time.
  */
-vtkSmartPointer<vtkVolume> MakeVolumeInTime(
+vtkSmartPointer<vtkVolume> MakeTimeColoredVolume(
   vtkUnstructuredGrid* tetrahedra, const std::vector<double>& times, double extinction);
 
 /**
@@ -59,7 +59,7 @@ void SetBoundary(
 
 /**
  * Returns the mapper of a volume created by MakeVolume(), MakeVolumeOfIntervals() or
- * MakeVolumeInTime().
+ * MakeTimeColoredVolume().
  */
 vtkTimeWeightedTetrahedraMapper* GetMapper(vtkVolume* volume);
 }

@@ -154,7 +154,7 @@ public:
     {
       return false;
     }
-    steps.Walker.StandAs(lane, this->Field);
+    steps.Walker.CopyFrom(lane, this->Field);
     for (int i = 0; i < 3; ++i)
     {
       steps.Point[i].Set(lane, this->Point[i]);
@@ -200,7 +200,7 @@ public:
       steps.Point[2].Get(lane) };
     double x[3];
     steps.Walker.GetPosition(lane, p, x);
-    if (!this->Surfaces.Renew(x, steps.GetStepDistance(lane)))
+    if (!this->Surfaces.UpdateClearance(x, steps.GetStepDistance(lane)))
     {
       return false;
     }
@@ -224,7 +224,7 @@ public:
     this->Step = steps.Step.Get(lane);
     this->Controller.Restore(steps.Previous.Get(lane), false);
     this->Stagnation.Restore(steps.PathLength.Get(lane), count.Steps);
-    this->Stiffness.AddHarmless(count.Steps);
+    this->Stiffness.AddNonStiff(count.Steps);
     this->HasPointRate = count.HasRate;
     if (this->HasPointRate)
     {
@@ -291,7 +291,7 @@ private:
       this->Surfaces.GetResult(surface, x, this->Result);
       return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
     }
-    if (this->Surfaces.GetClearance() <= this->Size && this->ArrivesAtOuterFace(1e-9))
+    if (this->Surfaces.GetClearance() <= this->Size && this->ReachesSurfaceAtOuterFace(1e-9))
     {
       return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
     }
@@ -301,12 +301,12 @@ private:
   /// Returns true if the streamline has reached a surface at a boundary face, which is a face
   /// without a neighbor. The face must be within \a maximumDistance cell widths of the current
   /// point.
-  bool ArrivesAtOuterFace(double maximumDistance)
+  bool ReachesSurfaceAtOuterFace(double maximumDistance)
   {
     for (int face = 0; face < this->Field.GetNumberOfFaces(); ++face)
     {
       if (this->Field.GetFaceDistance(face, this->Point) <= maximumDistance &&
-        !this->Field.HasNeighbor(face) && this->Arrives(face))
+        !this->Field.HasNeighbor(face) && this->ReachesSurfaceAtFace(face))
       {
         return true;
       }
@@ -315,7 +315,7 @@ private:
   }
 
   /// Returns true if the streamline has reached a surface at the given boundary face.
-  bool Arrives(int face)
+  bool ReachesSurfaceAtFace(int face)
   {
     if (this->Surfaces.IsEmpty() || !(this->Options.ArrivalTolerance > 0.0))
     {
@@ -345,13 +345,13 @@ private:
   }
 
   /// Returns true if the streamline reached a surface at the boundary of the field.
-  bool ArrivesAtEnd()
+  bool ReachesSurfaceAtEnd()
   {
     if (this->Result.Status == vtkFlowStatus::STAGNATED)
     {
-      return this->ArrivesAtOuterFace(this->Options.ArrivalTolerance);
+      return this->ReachesSurfaceAtOuterFace(this->Options.ArrivalTolerance);
     }
-    return this->LeavingFace >= 0 && this->Arrives(this->LeavingFace);
+    return this->LeavingFace >= 0 && this->ReachesSurfaceAtFace(this->LeavingFace);
   }
 
   bool EndWith(int status)
@@ -363,7 +363,7 @@ private:
   void End()
   {
     AdvectionEnd& result = this->Result;
-    if (this->ArrivesAtEnd())
+    if (this->ReachesSurfaceAtEnd())
     {
       result.Status = vtkFlowStatus::REACHED_SURFACE;
     }
@@ -419,7 +419,7 @@ private:
       }
       const bool isHeld = this->Crossings >= MaximumCrossings;
       const int face =
-        this->Exit.Approach(this->Field, this->Point, this->PointRate, isHeld, closed);
+        this->Exit.PrepareSearch(this->Field, this->Point, this->PointRate, isHeld, closed);
       if (face < 0)
       {
         return leavingFace < 0 || this->Leave(leavingFace);
@@ -541,14 +541,14 @@ private:
     switch (this->Options.Integrator)
     {
       case vtkFlowSettings::DORMAND_PRINCE:
-        return this->MakeStepBy(this->DormandPrince);
+        return this->MakeStepWith(this->DormandPrince);
       case vtkFlowSettings::RUNGE_KUTTA_4:
-        return this->MakeStepBy(this->RungeKutta4);
+        return this->MakeStepWith(this->RungeKutta4);
       case vtkFlowSettings::ROSENBROCK:
-        return this->MakeStepBy(this->Rosenbrock);
+        return this->MakeStepWith(this->Rosenbrock);
       default:
-        return this->Stiffness.IsStiff() ? this->MakeStepBy(this->Rosenbrock)
-                                         : this->MakeStepBy(this->DormandPrince);
+        return this->Stiffness.IsStiff() ? this->MakeStepWith(this->Rosenbrock)
+                                         : this->MakeStepWith(this->DormandPrince);
     }
   }
 
@@ -583,12 +583,12 @@ private:
   }
 
   template <typename Method>
-  double GetLastingError(const Method& method, double h) const
+  double GetUndampedError(const Method& method, double h) const
   {
     const double transit =
       this->Exit.GetFastest() > 0.0 ? 1.0 / this->Exit.GetFastest() : this->Size / this->Speed;
     bool isOrdinary = true;
-    return Measures::GetLastingError(
+    return Measures::GetUndampedError(
       this->Field, this->Point, method, h, std::min(transit, this->Time + h), isOrdinary);
   }
 
@@ -602,7 +602,7 @@ private:
 
   /// Tries one step, which may be rejected. Returns false if the streamline ends.
   template <typename Method>
-  bool MakeStepBy(Method& method)
+  bool MakeStepWith(Method& method)
   {
     constexpr bool isStiff = std::is_same_v<Method, RosenbrockStep>;
     const double largestError = std::max(this->Options.MaximumError, 64.0 * Epsilon * this->Speed);
@@ -618,7 +618,7 @@ private:
     this->PrefetchAhead(0);
     const bool isTaken = method.Take(this->Rate, this->Point, this->PointRate, h);
     this->PrefetchAhead(1);
-    const double ratio = isTaken ? this->GetLastingError(method, h) / h / largestError
+    const double ratio = isTaken ? this->GetUndampedError(method, h) / h / largestError
                                  : std::numeric_limits<double>::infinity();
     // If the step is so short that rounding dominates, a shorter step does not reduce the error.
     const double distance = h * Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
@@ -678,7 +678,7 @@ private:
       this->HasPointRate = false;
       return this->CrossExitFace(face);
     }
-    return this->MoveToEnd(method, h, isLast);
+    return this->MoveToStepEnd(method, h, isLast);
   }
 
   /// Returns a bound on the distance that the step covers. Any fraction of the step covers at most
@@ -701,7 +701,7 @@ private:
         largest[i] = std::max(largest[i], std::abs(slope[i]));
       }
     }
-    return Measures::ReachMargin * this->Field.GetLongestWorldVector(largest);
+    return Measures::ReachMargin * this->Field.GetMaximumWorldLength(largest);
   }
 
   /// Cuts the step at the first surface that it reaches, if any.
@@ -765,7 +765,7 @@ private:
 
   /// Moves to the end of a step that stays in the cell.
   template <typename Method>
-  bool MoveToEnd(const Method& method, double h, bool isLast)
+  bool MoveToStepEnd(const Method& method, double h, bool isLast)
   {
     std::copy(method.End, method.End + 3, this->Point);
     this->HasPointRate = Method::HasEndRate;

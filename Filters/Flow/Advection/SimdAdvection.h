@@ -62,7 +62,7 @@ public:
             continue;
           }
           this->Advections[lane]->LoadFromSimdLane(this->Group, lane);
-          if (!this->AdvanceUntilOrdinary(lane, end) && !this->StartNext(lane, begin, end))
+          if (!this->AdvanceUntilSimdReady(lane, end) && !this->StartNext(lane, begin, end))
           {
             lanes &= ~(1U << lane);
           }
@@ -89,7 +89,7 @@ private:
       {
         end(this->Ids[lane], *this->Advections[lane]);
       }
-      else if (this->AdvanceUntilOrdinary(lane, end))
+      else if (this->AdvanceUntilSimdReady(lane, end))
       {
         return true;
       }
@@ -98,7 +98,7 @@ private:
 
   /// Advances the streamline until it can continue in its SIMD lane. Returns false if it has ended.
   template <typename End>
-  bool AdvanceUntilOrdinary(int lane, End& end)
+  bool AdvanceUntilSimdReady(int lane, End& end)
   {
     do
     {

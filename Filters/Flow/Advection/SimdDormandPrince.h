@@ -130,7 +130,7 @@ private:
   }
 
   /// Returns a mask of the steps that are certainly not stiff.
-  [[gnu::always_inline]] static Mask IsHarmless(const Trial& trial)
+  [[gnu::always_inline]] static Mask IsNonStiff(const Trial& trial)
   {
     SimdPack direction[3];
     SimdPack changes[3];
@@ -156,7 +156,7 @@ private:
     Mask isUsual = Measures::IsOrdinary(squaredSpeed) & ~(trial.Speed < this->MinimumSpeed);
 
     BoxExit<SimdPack> exit;
-    isUsual &= exit.Approach(this->Point, rate);
+    isUsual &= exit.PrepareSearch(this->Point, rate);
     trial.H = SimdPack::Min(this->Step, exit.TimeLimit);
     isUsual &= trial.H < this->MaximumTime - this->Time;
     for (int lane = 0; lane < SimdPack::Number; ++lane)
@@ -165,10 +165,10 @@ private:
     }
     const auto getRate = [this](const SimdPack* p, SimdPack* k) { this->GetRate(p, k); };
     trial.Method.Take(getRate, this->Point, rate, trial.H);
-    isUsual &= SimdDormandPrince::IsHarmless(trial);
+    isUsual &= SimdDormandPrince::IsNonStiff(trial);
     const SimdPack time = SimdPack::Min(1.0 / exit.Fastest, this->Time + trial.H);
     const SimdPack error =
-      Measures::GetLastingError(this->Walker, this->Point, trial.Method, trial.H, time, isUsual);
+      Measures::GetUndampedError(this->Walker, this->Point, trial.Method, trial.H, time, isUsual);
     const SimdPack largestError = SimdPack::Max(this->MaximumError, 64.0 * Epsilon * trial.Speed);
     trial.Ratio = error / trial.H / largestError;
     isUsual &= trial.Ratio <= 1.0;
@@ -288,7 +288,7 @@ private:
     {
       if (!(entered >> lane & 1U))
       {
-        this->Walker.Stand(lane, before[lane]);
+        this->Walker.MoveLane(lane, before[lane]);
       }
     }
     return entered;

@@ -56,10 +56,9 @@ public:
     const SimdPack largest = SimdPack::Of(Largest);
     // The bound keeps the logarithm finite. Ratios of at most SmallRatio yield the largest factor
     // anyway.
-    const SimdPack error =
-      SimdPowers::GetLogarithm(SimdPack::Max(SimdPack::Of(0.5 * SmallRatio), ratio));
+    const SimdPack error = SimdPowers::Log2(SimdPack::Max(SimdPack::Of(0.5 * SmallRatio), ratio));
     const SimdPack power = (-1.0 / order + 0.75 * Integral) * error + Integral * previous;
-    const SimdPack controlled = Safety * SimdPowers::GetPower(power);
+    const SimdPack controlled = Safety * SimdPowers::Exp2(power);
     const SimdPack limited =
       SimdPack::Min(largest, SimdPack::Max(SimdPack::Of(Smallest), controlled));
     const SimdPack factor = SimdPack::Select(ratio > SmallRatio, limited, largest);

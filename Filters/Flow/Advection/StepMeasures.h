@@ -42,7 +42,7 @@ public:
    * cross the cell, or the time since the start if shorter.
    */
   template <typename Walker, typename Method>
-  INTERLUME_RETURNS_VECTOR static Number GetLastingError(const Walker& field, const Number p[3],
+  INTERLUME_RETURNS_VECTOR static Number GetUndampedError(const Walker& field, const Number p[3],
     const Method& method, const Number& h, const Number& time, Mask& isOrdinary)
   {
     Number error[3];

@@ -43,7 +43,7 @@ public:
   }
 
   /// Records several steps whose stiffness is at most MinimumStiff.
-  void AddHarmless(int steps)
+  void AddNonStiff(int steps)
   {
     this->Count = this->Others < PatienceForOthers && this->Others + steps >= PatienceForOthers
       ? 0

@@ -200,7 +200,7 @@ public:
   /// Evaluates the distance from \a x to the only surface if the clearance does not exceed \a
   /// pathLength, as Find does. Returns false if a step of length \a pathLength may still reach the
   /// surface.
-  bool Renew(const double x[3], double pathLength)
+  bool UpdateClearance(const double x[3], double pathLength)
   {
     State& state = this->States.front();
     if (state.Clearance <= pathLength && !state.IsFresh)
@@ -359,7 +359,7 @@ private:
       }
       else if (state.Side * last < 0.0 ||
         (isApproaching && state.Side * last > 0.0 &&
-          this->FindNegative(distance, state.Side, from, to, last, reach)))
+          this->FindSignChange(distance, state.Side, from, to, last, reach)))
       {
         const double inside = state.Side * last < 0.0 ? to : this->NegativePosition;
         const double root = this->FindRoot(distance, state.Side, from, start, inside);
@@ -404,7 +404,8 @@ private:
    * decreases at \a from. The distance at \a to is \a last.
    */
   template <typename Distance>
-  bool FindNegative(Distance& distance, int side, double from, double to, double last, double reach)
+  bool FindSignChange(
+    Distance& distance, int side, double from, double to, double last, double reach)
   {
     // The probe is so close to \a to that the distance cannot change sign between them.
     const double probe = std::min((to - from) / 64.0, 0.5 * side * last / reach);

@@ -30,7 +30,7 @@ public:
 
   /// Prepares the search from \a p along \a rate. Returns a mask of the points at which no face
   /// must be crossed before the step.
-  INTERLUME_RETURNS_VECTOR Mask Approach(const Number p[3], const Number rate[3])
+  INTERLUME_RETURNS_VECTOR Mask PrepareSearch(const Number p[3], const Number rate[3])
   {
     const Number zero = Math::Of(0.0);
     this->Fastest = zero;
@@ -107,7 +107,7 @@ public:
       Number own[Size];
       Number slack;
       Number face;
-      this->RemoveNext(b, degree, sides, own, slack, face);
+      this->RemoveNextFace(b, degree, sides, own, slack, face);
       Number root;
       Number theta;
       isClear &= BoxExit::FindCrossing(own, degree, slack, mask, root, theta) | Math::Not(mask);
@@ -210,7 +210,7 @@ private:
   /// Removes from \a sides, per SIMD lane, the face that the chord of the step reaches first, which
   /// is usually the exit face. \a own, \a slack and \a face receive the coefficients, slack and
   /// index of this face.
-  void RemoveNext(const Number (*b)[Size], int degree, Sides& sides, Number* own, Number& slack,
+  void RemoveNextFace(const Number (*b)[Size], int degree, Sides& sides, Number* own, Number& slack,
     Number& face) const
   {
     const Mask isSecond =
@@ -294,7 +294,7 @@ private:
       isNegative = isBelow;
     }
     const Mask isOne = mask & isClear & hasChanged & Math::Not(hasChangedAgain);
-    root = Math::Select(isOne, BernsteinRoot::FindOnly(b, degree, isOne), Math::Of(1.0));
+    root = Math::Select(isOne, BernsteinRoot::FindSingleRoot(b, degree, isOne), Math::Of(1.0));
     theta =
       Math::Select(isOne, BoxExit::MoveBack(b, degree, slack, root), Math::Of(BernsteinRoot::None));
     return isClear & Math::Not(hasChangedAgain);

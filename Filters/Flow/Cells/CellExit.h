@@ -33,10 +33,10 @@ public:
    * true, no face is crossed at \a p. If \a p is on or outside a face, the streamline may then move
    * outward by another hundredth of a cell width. This prevents infinite loops around an edge.
    */
-  int Approach(
+  int PrepareSearch(
     const Walker& field, const double p[3], const double rate[3], bool isHeld, unsigned int closed)
   {
-    if (field.IsBox() && !isHeld && BoxExit<double>::Approach(p, rate))
+    if (field.IsBox() && !isHeld && BoxExit<double>::PrepareSearch(p, rate))
     {
       return -1;
     }

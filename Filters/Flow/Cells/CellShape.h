@@ -86,14 +86,14 @@ struct CellShape
     switch (kind)
     {
       case TETRAHEDRON:
-        MoveRow(values, 3, 4);
+        CopyRow(values, 3, 4);
         break;
       case WEDGE:
         // The wedge is fitted as a hexahedron whose values at x = y = 1 are extrapolated linearly,
         // so the coefficients of xy and xyz are 0.
-        MoveRow(values, 5, 6);
-        MoveRow(values, 4, 5);
-        MoveRow(values, 3, 4);
+        CopyRow(values, 5, 6);
+        CopyRow(values, 4, 5);
+        CopyRow(values, 3, 4);
         values.Subtract(6, 4);
         values.Subtract(5, 4);
         values.Subtract(4, 0);
@@ -130,7 +130,7 @@ struct CellShape
   }
 
 private:
-  static void MoveRow(Trilinear& values, int from, int to)
+  static void CopyRow(Trilinear& values, int from, int to)
   {
     for (int i = 0; i < 4; ++i)
     {

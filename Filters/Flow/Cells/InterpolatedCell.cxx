@@ -95,7 +95,7 @@ void InterpolatedCell::GetJacobian(const double p[3], double jacobian[9]) const
 
 // Each column dx/dp_j is bilinear in the two coordinates other than p_j (in VTK's parametric
 // coordinates for a pyramid). Therefore its length is largest at a corner.
-double InterpolatedCell::GetLongestWorldVector(const double d[3]) const
+double InterpolatedCell::GetMaximumWorldLength(const double d[3]) const
 {
   const auto& c = this->Points.C;
   double sum = 0.0;

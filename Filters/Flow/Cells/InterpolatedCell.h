@@ -77,7 +77,7 @@ public:
   /// IsAffine returns true if dx/dp is constant in the cell. GetLongestWorldVector returns an upper
   /// bound on the length of w from GetWorldVector(p, e, w), for p in the cell and |e[i]| <= d[i].
   bool IsAffine() const { return this->Form != CURVED; }
-  double GetLongestWorldVector(const double d[3]) const;
+  double GetMaximumWorldLength(const double d[3]) const;
 
   void GetVelocityGradient(const double p[3], double gradient[9]) const;
 

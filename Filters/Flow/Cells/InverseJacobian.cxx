@@ -11,7 +11,7 @@ namespace interlume
 
 // Scales each column to a length of about 1 before the inversion. The scales are powers of 2, so
 // scaling causes no rounding errors.
-void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][3])
+void InverseJacobian::InvertScaled(const double columns[3][4], double inverse[3][3])
 {
   double scaled[3][4];
   double scales[3];

@@ -23,7 +23,7 @@ public:
   {
     if (!InvertRegular(columns, inverse))
     {
-      InvertOther(columns, inverse);
+      InvertScaled(columns, inverse);
     }
   }
 
@@ -73,7 +73,7 @@ private:
     }
     return true;
   }
-  static void InvertOther(const double columns[3][4], double inverse[3][3]);
+  static void InvertScaled(const double columns[3][4], double inverse[3][3]);
   static void InvertSingular(const double columns[3][4], double inverse[3][3]);
 };
 

@@ -75,7 +75,7 @@ bool CheckpointedStreamlines::Follow(const AdvectionOptions& options, vtkIdType 
   do
   {
     isActive = this->FollowBatch(options, number, start, take, begin, end, done);
-    record.SetFinished(done);
+    record.SetNumberOfFinished(done);
     if (!isActive || this->Checkpoint.IsDue())
     {
       this->Checkpoint.Write();

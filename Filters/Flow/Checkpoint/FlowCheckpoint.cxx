@@ -85,7 +85,7 @@ Error FlowCheckpoint::Read()
 
 void FlowCheckpoint::Open(RankExchange* exchange)
 {
-  const bool exists = AtomicFiles::IsThere(this->FileName);
+  const bool exists = AtomicFiles::Exists(this->FileName);
   const Error error = (exists ? this->Read() : Error())
                         .Within("The checkpoint " + this->FileName + " is not used: ",
                           ". All streamlines are computed again.");

@@ -165,7 +165,7 @@ void StreamlineRecord::Set(vtkIdType i, const AdvectionResult& result)
   }
 }
 
-void StreamlineRecord::SetFinished(vtkIdType number)
+void StreamlineRecord::SetNumberOfFinished(vtkIdType number)
 {
   this->Rows = std::max(this->Rows, this->First + number);
 }

@@ -50,7 +50,7 @@ public:
   void Get(vtkIdType i, AdvectionResult& result) const;
   void Set(vtkIdType i, const AdvectionResult& result);
   /// Sets how many leading streamlines of the group are recorded.
-  void SetFinished(vtkIdType number);
+  void SetNumberOfFinished(vtkIdType number);
   ///@}
 
   /// Returns the number of recorded streamlines of all groups.

@@ -35,7 +35,7 @@ namespace interlume
  * - `void GetWorldVector(const double p[3], const double d[3], double w[3]) const`: first-order
  *   change of x if p changes by d. For d from GetVelocity it returns v.
  * - `bool IsAffine() const`: whether GetWorldVector is independent of p. Otherwise, `double
- *   GetLongestWorldVector(const double d[3]) const` returns an upper bound on the length of this
+ *   GetMaximumWorldLength(const double d[3]) const` returns an upper bound on the length of this
  *   vector in the cell if each p[i] changes by at most d[i].
  * - `void GetVelocityGradient(const double p[3], double gradient[9]) const`: dv[i]/dx[j] at [3 * i
  *   + j], for vorticity.
@@ -73,7 +73,7 @@ struct CellWalker
 
   static constexpr bool IsHere() { return true; }
   bool IsAffine() const { return true; }
-  double GetLongestWorldVector(const double*) const { return 0.0; }
+  double GetMaximumWorldLength(const double*) const { return 0.0; }
   bool IsBox() const { return false; }
   bool HasNeighbor(int) const { return true; }
   FaceExtent GetFaceExtent(int) const { return {}; }

@@ -241,7 +241,7 @@ private:
       location.Along += line[axis] * location.Center[axis];
     }
     location.Tolerance =
-      FaceLinks::GetTolerance(location.Width, largest, this->Positions.GetRounding(largest));
+      FaceLinks::GetTolerance(location.Width, largest, this->Positions.GetRoundingError(largest));
   }
 
   /// Finds the other face with the same corners, if there is exactly one.

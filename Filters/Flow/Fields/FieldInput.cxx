@@ -98,7 +98,7 @@ bool FieldInput::HasHidden() const
     });
 }
 
-bool FieldInput::HasFlatBlocks() const
+bool FieldInput::HasOnlyFlatBlocks() const
 {
   return !this->Blocks.empty() && !HasVolume(this->Blocks[0].Data);
 }
@@ -109,7 +109,7 @@ vtkSmartPointer<vtkDataSet> FieldInput::MakePart() const
   {
     return this->DataSet;
   }
-  if (this->Blocks.empty() || this->HasFlatBlocks())
+  if (this->Blocks.empty() || this->HasOnlyFlatBlocks())
   {
     return vtkSmartPointer<vtkUnstructuredGrid>::New();
   }

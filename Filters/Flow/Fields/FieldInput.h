@@ -36,7 +36,7 @@ public:
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
 
   /// Returns whether there are blocks but none of them has three-dimensional cells.
-  bool HasFlatBlocks() const;
+  bool HasOnlyFlatBlocks() const;
 
   /// Returns whether the dataset or a block has hidden cells or points.
   bool HasHidden() const;

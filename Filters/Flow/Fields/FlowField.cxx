@@ -77,7 +77,7 @@ void FlowField::SetBlanking(vtkDataSet* data, const CellPoints& cells)
     });
 }
 
-void FlowField::ExcludeFlat(vtkIdType cell)
+void FlowField::ExcludeFlatCell(vtkIdType cell)
 {
   this->Excluded.resize(static_cast<std::size_t>(this->NumberOfCells), 0);
   this->Excluded[static_cast<std::size_t>(cell)] = 1;

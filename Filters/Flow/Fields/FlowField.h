@@ -102,7 +102,7 @@ protected:
   /// all processes.
   void SetNumberOfFlatCells(vtkIdType number) { this->NumberOfFlatCells = number; }
   /// Excludes a cell with fewer than three dimensions.
-  void ExcludeFlat(vtkIdType cell);
+  void ExcludeFlatCell(vtkIdType cell);
   /// Computes the maximum speed, and finds fill values and non-finite vectors. Set
   /// \a hasOtherPoints if some points may not belong to a cell of the field.
   void Measure(const CellPoints& cells, bool hasOtherPoints);

@@ -19,7 +19,7 @@ Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
 {
   int points[3];
   image->GetDimensions(points);
-  if (Error error = this->BuildIndices(image, points, vectors, arrays, progress, part))
+  if (Error error = this->BuildTopologyAndArrays(image, points, vectors, arrays, progress, part))
   {
     return error;
   }
@@ -66,7 +66,7 @@ Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
   return {};
 }
 
-void ImageFlowField::GetIndexPosition(const double x[3], double q[3]) const
+void ImageFlowField::GetContinuousIndex(const double x[3], double q[3]) const
 {
   const double d[3] = { x[0] - this->Origin[0], x[1] - this->Origin[1], x[2] - this->Origin[2] };
   for (int i = 0; i < 3; ++i)
@@ -79,14 +79,14 @@ void ImageFlowField::GetIndexPosition(const double x[3], double q[3]) const
 bool ImageFlowField::Locate(const double x[3], CellLocation& location, double p[3]) const
 {
   double q[3];
-  this->GetIndexPosition(x, q);
+  this->GetContinuousIndex(x, q);
   return this->Find(q, this->Slack, location, p);
 }
 
 bool ImageFlowField::LocateIndex(const double x[3], int index[3], double p[3]) const
 {
   double q[3];
-  this->GetIndexPosition(x, q);
+  this->GetContinuousIndex(x, q);
   return this->FindIndex(q, this->Slack, index, p);
 }
 

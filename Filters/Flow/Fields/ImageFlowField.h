@@ -49,7 +49,7 @@ public:
 
 private:
   /// Converts \a x to a position \a q in units of cells along each axis.
-  void GetIndexPosition(const double x[3], double q[3]) const;
+  void GetContinuousIndex(const double x[3], double q[3]) const;
 
   static void Copy(const double from[3][3], double to[9])
   {

@@ -6,8 +6,8 @@
 namespace interlume
 {
 
-Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
+Error IndexedFlowField::BuildTopologyAndArrays(vtkDataSet* data, const int points[3],
+  vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
   const FieldPartition* part)
 {
   const bool isEmpty = part && !FieldPartition::HasCells(part->Own);
@@ -62,7 +62,7 @@ Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkD
     }
   }
   const auto getPoints = [this](vtkIdType cell, vtkIdType* ids)
-  { return this->GetHeldPoints(cell, ids); };
+  { return this->GetLocalCellPoints(cell, ids); };
   this->SetBlanking(data, getPoints);
   if (progress.Reach(0.5) && !part)
   {
@@ -71,7 +71,7 @@ Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkD
   return {};
 }
 
-vtkIdType IndexedFlowField::GetHeldCell(const CellLocation& location) const
+vtkIdType IndexedFlowField::GetLocalCellId(const CellLocation& location) const
 {
   const vtkIdType i = location.Index[0] - this->HeldFirst[0];
   const vtkIdType j = location.Index[1] - this->HeldFirst[1];
@@ -79,7 +79,7 @@ vtkIdType IndexedFlowField::GetHeldCell(const CellLocation& location) const
   return i + this->HeldCells[0] * (j + this->HeldCells[1] * k);
 }
 
-int IndexedFlowField::GetHeldPoints(vtkIdType cell, vtkIdType* points) const
+int IndexedFlowField::GetLocalCellPoints(vtkIdType cell, vtkIdType* points) const
 {
   const vtkIdType row = cell / this->HeldCells[0];
   const vtkIdType first = cell % this->HeldCells[0] +
@@ -92,11 +92,12 @@ int IndexedFlowField::GetHeldPoints(vtkIdType cell, vtkIdType* points) const
   return 8;
 }
 
-SpeedCount IndexedFlowField::CountHeldSpeeds(
+SpeedCount IndexedFlowField::CountLocalSpeeds(
   const std::function<bool(const int index[3])>& isCounted) const
 {
-  return this->CountSpeeds(
-    [this](vtkIdType cell, vtkIdType* points) { return this->GetHeldPoints(cell, points); }, false,
+  return this->CountSpeeds([this](vtkIdType cell, vtkIdType* points)
+    { return this->GetLocalCellPoints(cell, points); },
+    false,
     [this, &isCounted](vtkIdType point)
     {
       const vtkIdType layer = point % this->PointStrides[2];

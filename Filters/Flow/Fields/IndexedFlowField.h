@@ -34,7 +34,7 @@ public:
 
   bool IsCellIncluded(vtkIdType cell) const
   {
-    return !this->HasExcludedCells() || FlowField::IsCellIncluded(this->GetHeldCell(cell));
+    return !this->HasExcludedCells() || FlowField::IsCellIncluded(this->GetLocalCellId(cell));
   }
 
   CellLocation GetCellLocation(const int index[3]) const
@@ -159,13 +159,13 @@ protected:
 
   /// Sets the dimensions, the arrays and the blanking, but not the geometry. Returns an error as
   /// Build() does.
-  Error BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
+  Error BuildTopologyAndArrays(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
     const FieldPartition* part = nullptr);
 
   /// Collects the speeds at those points of the available cells for which isCounted(index) returns
   /// true. \a index contains the point's (i, j, k) in the full grid.
-  SpeedCount CountHeldSpeeds(const std::function<bool(const int index[3])>& isCounted) const;
+  SpeedCount CountLocalSpeeds(const std::function<bool(const int index[3])>& isCounted) const;
 
   /// Finds the cell as FindIndex() does. If that cell is excluded, finds an included cell with that
   /// position on its boundary.
@@ -185,7 +185,7 @@ protected:
   }
 
   /// Writes the point ids of a cell to \a points, given the cell id in the partition. Returns 8.
-  int GetHeldPoints(vtkIdType cell, vtkIdType* points) const;
+  int GetLocalCellPoints(vtkIdType cell, vtkIdType* points) const;
 
   int Cells[3] = { 0, 0, 0 };
   vtkIdType CellStrides[3] = { 1, 0, 0 };
@@ -198,11 +198,11 @@ private:
       this->Cells[1] != this->HeldCells[1] || this->Cells[2] != this->HeldCells[2];
   }
   /// Returns the id that a cell of the full grid has in the partition.
-  vtkIdType GetHeldCell(vtkIdType cell) const
+  vtkIdType GetLocalCellId(vtkIdType cell) const
   {
-    return this->IsPart() ? this->GetHeldCell(this->GetCellLocation(cell)) : cell;
+    return this->IsPart() ? this->GetLocalCellId(this->GetCellLocation(cell)) : cell;
   }
-  vtkIdType GetHeldCell(const CellLocation& location) const;
+  vtkIdType GetLocalCellId(const CellLocation& location) const;
 
   bool FindIncludedNeighbor(const double slack[3], CellLocation& location, double p[3]) const;
 

@@ -82,9 +82,9 @@ public:
     this->Cell.GetWorldVector(p, d, w);
   }
   bool IsAffine() const { return this->Cell.IsAffine(); }
-  double GetLongestWorldVector(const double d[3]) const
+  double GetMaximumWorldLength(const double d[3]) const
   {
-    return this->Cell.GetLongestWorldVector(d);
+    return this->Cell.GetMaximumWorldLength(d);
   }
   void GetVelocityGradient(const double p[3], double gradient[9]) const
   {
@@ -122,7 +122,7 @@ public:
   FaceExtent GetFaceExtent(int face) const
   {
     FaceExtent extent = this->Cell.GetFaceExtent(face);
-    extent.Bend += this->Shared->GetRounding();
+    extent.Bend += this->Shared->GetRoundingError();
     return extent;
   }
 

@@ -18,7 +18,7 @@ Error RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vector
 {
   int points[3];
   grid->GetDimensions(points);
-  if (Error error = this->BuildIndices(grid, points, vectors, arrays, progress, part))
+  if (Error error = this->BuildTopologyAndArrays(grid, points, vectors, arrays, progress, part))
   {
     return error;
   }
@@ -52,7 +52,7 @@ Error RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vector
   return {};
 }
 
-void RectilinearFlowField::GetIndexPosition(const double x[3], double q[3], double slack[3]) const
+void RectilinearFlowField::GetContinuousIndex(const double x[3], double q[3], double slack[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -70,7 +70,7 @@ bool RectilinearFlowField::Locate(const double x[3], CellLocation& location, dou
 {
   double q[3];
   double slack[3];
-  this->GetIndexPosition(x, q, slack);
+  this->GetContinuousIndex(x, q, slack);
   return this->Find(q, slack, location, p);
 }
 
@@ -78,7 +78,7 @@ bool RectilinearFlowField::LocateIndex(const double x[3], int index[3], double p
 {
   double q[3];
   double slack[3];
-  this->GetIndexPosition(x, q, slack);
+  this->GetContinuousIndex(x, q, slack);
   return this->FindIndex(q, slack, index, p);
 }
 

@@ -61,7 +61,7 @@ public:
 private:
   /// Computes the continuous cell indices \a q of \a x, and the tolerance at the boundary of the
   /// grid in the same units.
-  void GetIndexPosition(const double x[3], double q[3], double slack[3]) const;
+  void GetContinuousIndex(const double x[3], double q[3], double slack[3]) const;
 
   const double* GetEnds(const CellLocation& location, int axis) const
   {

@@ -33,12 +33,12 @@ public:
   }
 
   /// Moves a SIMD lane to a cell. Call Enter() afterward to compute the velocities.
-  void Stand(int lane, const CellLocation& location) { this->Stands[lane] = location; }
+  void MoveLane(int lane, const CellLocation& location) { this->Stands[lane] = location; }
   /// Copies the cell, frame and velocities of another walker to a SIMD lane.
   template <typename Walker>
-  void StandAs(int lane, const Walker& walker)
+  void CopyFrom(int lane, const Walker& walker)
   {
-    this->Stand(lane, walker.GetCellLocation());
+    this->MoveLane(lane, walker.GetCellLocation());
     if (!Field::HasOneFrame)
     {
       double frame[9];
@@ -73,8 +73,8 @@ public:
     this->Shared->Prefetch(this->Stands[lane], face);
   }
 
-  /// Moves a SIMD lane to the cell across a face. Call Enter() afterward, as after Stand(). Returns
-  /// false if this process has no such cell.
+  /// Moves a SIMD lane to the cell across a face. Call Enter() afterward, as after MoveLane().
+  /// Returns false if this process has no such cell.
   [[gnu::always_inline]] bool Step(int lane, int face)
   {
     return this->Shared->StepHere(this->Stands[lane], face);

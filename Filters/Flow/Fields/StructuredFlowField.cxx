@@ -13,7 +13,8 @@ Error StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
 {
   int points[3];
   grid->GetDimensions(points);
-  Error error = this->BuildIndices(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2), part);
+  Error error =
+    this->BuildTopologyAndArrays(grid, points, vectors, arrays, progress.GetPart(0.0, 0.2), part);
   if (error || !progress.Reach(0.2) || this->GetNumberOfCells() == 0)
   {
     return error;
@@ -39,7 +40,7 @@ CellPositions StructuredFlowField::GetCellPositions(
     {
       const bool isPart = FlowField::IsCellIncluded(cell) &&
         (!isCounted || isCounted(this->GetHeldCellLocation(cell)));
-      return isPart ? this->GetHeldPoints(cell, ids) : 0;
+      return isPart ? this->GetLocalCellPoints(cell, ids) : 0;
     });
 }
 
@@ -49,7 +50,7 @@ void StructuredFlowField::BuildTree(
   this->GetCellPositions(isCounted).Build(this->GetNumberOfCells(), this->Tree, unite);
 }
 
-std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces(
+std::vector<vtkIdType> StructuredFlowField::GetBoundaryFaces(
   const int first[3], const int last[3]) const
 {
   std::vector<vtkIdType> faces;
@@ -81,14 +82,14 @@ std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces(
   return faces;
 }
 
-std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces() const
+std::vector<vtkIdType> StructuredFlowField::GetBoundaryFaces() const
 {
   const int first[3] = { 0, 0, 0 };
   const int last[3] = { this->Cells[0] - 1, this->Cells[1] - 1, this->Cells[2] - 1 };
-  return this->GetOutsideFaces(first, last);
+  return this->GetBoundaryFaces(first, last);
 }
 
-std::vector<vtkIdType> StructuredFlowField::WithoutSeams(std::vector<vtkIdType> faces) const
+std::vector<vtkIdType> StructuredFlowField::RemoveSeamFaces(std::vector<vtkIdType> faces) const
 {
   const auto isSeam = [this](vtkIdType face)
   { return this->FindSeam(face / 8, static_cast<int>(face % 8)) != nullptr; };
@@ -109,7 +110,7 @@ int StructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
 
 void StructuredFlowField::FindSeams()
 {
-  const std::vector<vtkIdType> faces = this->GetOutsideFaces();
+  const std::vector<vtkIdType> faces = this->GetBoundaryFaces();
   std::vector<FaceLinks::Link> links(faces.size(), FaceLinks::Link{ -1, 0, false });
   const FaceLinks::MatchGaps gaps = FaceLinks::Find(
     static_cast<vtkIdType>(faces.size()), 1,

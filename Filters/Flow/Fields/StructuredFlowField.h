@@ -48,7 +48,10 @@ public:
   }
   const CellTree& GetTree() const { return this->Tree; }
   /// Returns the rounding error of float positions, or 0 for double positions.
-  double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
+  double GetRoundingError() const
+  {
+    return this->Positions.GetRoundingError(this->GetLargestCoordinate());
+  }
 
   /// Prefetches the positions and vectors of the cell across a face, except at the corners on the
   /// face.
@@ -76,7 +79,7 @@ public:
   /// Returns the outer faces that are not on a seam, as 8 * cell + face, in ascending order.
   std::vector<vtkIdType> GetOuterFaces() const
   {
-    return this->WithoutSeams(this->GetOutsideFaces());
+    return this->RemoveSeamFaces(this->GetBoundaryFaces());
   }
   /// Returns how many pairs of linked faces do not coincide exactly, and the largest gap.
   const FaceLinks::MatchGaps& GetMatchGaps() const { return this->Gaps; }
@@ -102,8 +105,8 @@ protected:
     const CellTree::Unite& unite = {});
   /// Returns the outer faces of the cells with indices from \a first to \a last, in ascending
   /// order.
-  std::vector<vtkIdType> GetOutsideFaces(const int first[3], const int last[3]) const;
-  std::vector<vtkIdType> WithoutSeams(std::vector<vtkIdType> faces) const;
+  std::vector<vtkIdType> GetBoundaryFaces(const int first[3], const int last[3]) const;
+  std::vector<vtkIdType> RemoveSeamFaces(std::vector<vtkIdType> faces) const;
   /// Returns the seams among the faces \a own. links[i] is the link of own[i]; its Face is an index
   /// into \a all, or -1 if there is no link.
   static std::vector<Seam> GetSeams(const std::vector<vtkIdType>& own,
@@ -117,7 +120,7 @@ protected:
   const ArrayRows& GetPositions() const { return this->Positions; }
 
 private:
-  std::vector<vtkIdType> GetOutsideFaces() const;
+  std::vector<vtkIdType> GetBoundaryFaces() const;
   CellPositions GetCellPositions(
     const std::function<bool(const CellLocation&)>& isCounted = {}) const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;

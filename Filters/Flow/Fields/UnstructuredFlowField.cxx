@@ -41,9 +41,9 @@ Error UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vect
   {
     return error;
   }
-  this->FindOnlyType();
+  this->FindCommonType();
   this->Measure(
-    [this](vtkIdType cell, vtkIdType* ids) { return this->GetStoredPoints(cell, ids); }, true);
+    [this](vtkIdType cell, vtkIdType* ids) { return this->GetConnectivity(cell, ids); }, true);
   if (!progress.Reach(0.2))
   {
     return {};
@@ -88,12 +88,12 @@ Error UnstructuredFlowField::BuildCells(
   this->Types = this->TypeArray->GetPointer(0);
   this->Positions.Build(grid->GetPoints()->GetData());
   this->SetBlanking(
-    grid, [this](vtkIdType cell, vtkIdType* ids) { return this->GetStoredPoints(cell, ids); });
+    grid, [this](vtkIdType cell, vtkIdType* ids) { return this->GetConnectivity(cell, ids); });
   this->ExcludeFlatCells();
   return {};
 }
 
-int UnstructuredFlowField::GetStoredPoints(vtkIdType cell, vtkIdType* points) const
+int UnstructuredFlowField::GetConnectivity(vtkIdType cell, vtkIdType* points) const
 {
   const vtkIdType first = this->Offsets.Get(cell);
   const vtkIdType number = std::min<vtkIdType>(this->Offsets.Get(cell + 1) - first, 8);
@@ -122,12 +122,12 @@ void UnstructuredFlowField::ExcludeFlatCells()
   {
     if (isFlat[this->Types[cell]] && this->IsCellIncluded(cell))
     {
-      this->ExcludeFlat(cell);
+      this->ExcludeFlatCell(cell);
     }
   }
 }
 
-void UnstructuredFlowField::FindOnlyType()
+void UnstructuredFlowField::FindCommonType()
 {
   const vtkIdType number = this->GetNumberOfCells();
   const int size = GetCorners(this->Types[0]).Number;

@@ -93,7 +93,10 @@ public:
   }
   const CellTree& GetTree() const { return this->Mesh->Tree; }
   /// Returns the rounding error of float positions, or 0 for double positions.
-  double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
+  double GetRoundingError() const
+  {
+    return this->Positions.GetRoundingError(this->GetLargestCoordinate());
+  }
 
   /// Returns the faces without a neighbor, as 8 * cell + face, in ascending order.
   std::vector<vtkIdType> GetOuterFaces() const;
@@ -136,10 +139,10 @@ protected:
     vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
   /// Returns an error for the first invalid cell. \a first is the global id of cell 0.
   Error FindCellError(vtkIdType first) const;
-  void FindOnlyType();
+  void FindCommonType();
   CellPositions GetCellPositions() const;
   /// Computes the ids of at most eight points of a cell, in VTK's order, and returns their number.
-  int GetStoredPoints(vtkIdType cell, vtkIdType* points) const;
+  int GetConnectivity(vtkIdType cell, vtkIdType* points) const;
   /// Finds the links between faces with the same points, and if \a byCoordinates is true, also
   /// between faces with the same coordinates.
   void FindLinks(MeshLinks& mesh, bool byCoordinates) const;

@@ -28,7 +28,7 @@ public:
   /// must be >= 0.
   static double Find(const double* coefficients, int degree)
   {
-    return BernsteinRoot::FindIn(coefficients, degree, 0.0, 1.0, 44);
+    return BernsteinRoot::FindInInterval(coefficients, degree, 0.0, 1.0, 44);
   }
 
   /**
@@ -37,7 +37,7 @@ public:
    * arbitrary values.
    */
   template <typename Number>
-  INTERLUME_RETURNS_VECTOR static Number FindOnly(
+  INTERLUME_RETURNS_VECTOR static Number FindSingleRoot(
     const Number* b, int degree, const typename NumberMath<Number>::Mask& mask)
   {
     using Math = NumberMath<Number>;
@@ -52,7 +52,7 @@ public:
     const Number zero = Math::Of(0.0);
     Number low = zero;
     Number high = Math::Of(1.0);
-    Number theta = BernsteinRoot::GuessOnly(powers[0], powers[1], b[degree]);
+    Number theta = BernsteinRoot::GuessSingleRoot(powers[0], powers[1], b[degree]);
     Number root = theta;
     typename Math::Mask isOpen = mask;
     for (int iteration = 0; iteration < 100 && Math::IsAny(isOpen); ++iteration)
@@ -84,12 +84,12 @@ public:
   }
 
 private:
-  static double FindIn(const double* b, int degree, double from, double width, int depth);
+  static double FindInInterval(const double* b, int degree, double from, double width, int depth);
 
   /// Estimates the root from the parabola with the given value and slope at 0 and value at 1, or
   /// from a line if the parabola has no root in (0, 1).
   template <typename Number>
-  INTERLUME_RETURNS_VECTOR static Number GuessOnly(
+  INTERLUME_RETURNS_VECTOR static Number GuessSingleRoot(
     const Number& start, const Number& slope, const Number& end)
   {
     using Math = NumberMath<Number>;
@@ -120,7 +120,7 @@ private:
   }
 };
 
-inline double BernsteinRoot::FindIn(
+inline double BernsteinRoot::FindInInterval(
   const double* b, int degree, double from, double width, int depth)
 {
   int changes = 0;
@@ -138,7 +138,7 @@ inline double BernsteinRoot::FindIn(
   }
   if (changes == 1)
   {
-    return from + width * BernsteinRoot::FindOnly(b, degree, true);
+    return from + width * BernsteinRoot::FindSingleRoot(b, degree, true);
   }
   if (depth == 0)
   {
@@ -159,10 +159,10 @@ inline double BernsteinRoot::FindIn(
     }
     left[level] = right[0];
   }
-  const double root = BernsteinRoot::FindIn(left, degree, from, 0.5 * width, depth - 1);
+  const double root = BernsteinRoot::FindInInterval(left, degree, from, 0.5 * width, depth - 1);
   return root != None
     ? root
-    : BernsteinRoot::FindIn(right, degree, from + 0.5 * width, 0.5 * width, depth - 1);
+    : BernsteinRoot::FindInInterval(right, degree, from + 0.5 * width, 0.5 * width, depth - 1);
 }
 
 }

@@ -19,7 +19,7 @@ struct SimdPowers
 {
   /// Returns the binary logarithm with an error of at most 1e-7.
   template <typename SimdPack>
-  [[gnu::always_inline]] static SimdPack GetLogarithm(const SimdPack& x)
+  [[gnu::always_inline]] static SimdPack Log2(const SimdPack& x)
   {
     using Bits = typename SimdPack::Bits;
     using Numbers = typename SimdPack::Numbers;
@@ -42,7 +42,7 @@ struct SimdPowers
 
   /// Returns 2^x with a relative error of at most 2e-7.
   template <typename SimdPack>
-  [[gnu::always_inline]] static SimdPack GetPower(const SimdPack& x)
+  [[gnu::always_inline]] static SimdPack Exp2(const SimdPack& x)
   {
     using Bits = typename SimdPack::Bits;
     // The addition rounds x to an integer, which is then in the low bits of the sum.

@@ -107,7 +107,7 @@ int FarSideSamples::GetId(vtkIdType row) const
   return static_cast<int>(this->Ids->GetComponent(row, 0));
 }
 
-double FarSideSamples::GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const
+double FarSideSamples::GetTimeToSurface(const ImplicitFlowArrays& arrays, vtkIdType row) const
 {
   if (!this->HasSurface(row))
   {

@@ -117,7 +117,7 @@ public:
   int GetId(vtkIdType row) const;
   /// Returns the time that the sample's streamline takes to reach the surface, negative if it comes
   /// from the surface; 0 if the time is unknown or there is no surface.
-  double GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const;
+  double GetTimeToSurface(const ImplicitFlowArrays& arrays, vtkIdType row) const;
   void GetNormal(vtkIdType row, double normal[3]) const { this->Normals->GetTuple(row, normal); }
 
 private:

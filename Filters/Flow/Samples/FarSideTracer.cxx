@@ -65,12 +65,13 @@ bool FarSideTracer::Find(const Corners& corners, std::vector<SampleResult>& samp
   {
     AdvectionResult& farSide = sampleResults[row].FarSide;
     farSide = results[row];
-    farSide.Status = this->IsHit(farSide, corners[row]) ? farSide.Status
-                                                        : static_cast<int>(vtkFlowStatus::OUTSIDE);
+    farSide.Status = this->ReachesSurfaceNearby(farSide, corners[row])
+      ? farSide.Status
+      : static_cast<int>(vtkFlowStatus::OUTSIDE);
     farSide.Time = -farSide.Time;
     farSide.ArcLength = -farSide.ArcLength;
   }
-  if (!this->FollowOn(corners, on, results, sampleResults))
+  if (!this->TraceBeyondSurface(corners, on, results, sampleResults))
   {
     return false;
   }
@@ -122,7 +123,8 @@ void FarSideTracer::Describe(const Corners& corners, std::size_t row,
   }
 }
 
-bool FarSideTracer::IsHit(const AdvectionResult& result, const FarSideCorners::Corner& corner) const
+bool FarSideTracer::ReachesSurfaceNearby(
+  const AdvectionResult& result, const FarSideCorners::Corner& corner) const
 {
   double x[3];
   this->Samples->GetPoint(corner.Sample, x);
@@ -156,12 +158,12 @@ bool FarSideTracer::FollowTo(
   return isActive;
 }
 
-bool FarSideTracer::FollowOn(const Corners& corners, const Rows& rows,
+bool FarSideTracer::TraceBeyondSurface(const Corners& corners, const Rows& rows,
   const std::vector<AdvectionResult>& before, std::vector<SampleResult>& sampleResults)
 {
   Rows hit;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(hit),
-    [&](std::size_t row) { return this->IsHit(before[row], corners[row]); });
+    [&](std::size_t row) { return this->ReachesSurfaceNearby(before[row], corners[row]); });
   std::vector<Streamlines::Velocity> velocities =
     this->Context.Field.GetVelocities(static_cast<vtkIdType>(hit.size()),
       [&](vtkIdType i, double x[3])

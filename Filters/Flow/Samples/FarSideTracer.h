@@ -59,14 +59,15 @@ private:
   /// the surface.
   void Describe(const Corners& corners, std::size_t row, Streamlines::Velocity velocity,
     SampleResult& sampleResult, Rows& back, Rows& on) const;
-  bool IsHit(const AdvectionResult& result, const FarSideCorners::Corner& corner) const;
+  bool ReachesSurfaceNearby(
+    const AdvectionResult& result, const FarSideCorners::Corner& corner) const;
   /// Follows streamlines from corners to their surface, against the direction of integration if
   /// \a isBack is true.
   bool FollowTo(
     const Corners& corners, const Rows& rows, bool isBack, std::vector<AdvectionResult>& results);
   /// Continues streamlines on the far side of the surface. \a before contains their results at the
   /// surface.
-  bool FollowOn(const Corners& corners, const Rows& rows,
+  bool TraceBeyondSurface(const Corners& corners, const Rows& rows,
     const std::vector<AdvectionResult>& before, std::vector<SampleResult>& sampleResults);
 
   const StageContext& Context;

@@ -59,14 +59,14 @@ ImplicitFlowRun::ImplicitFlowRun(
 {
 }
 
-void ImplicitFlowRun::SetRanks(DistributedField* ranks)
+void ImplicitFlowRun::SetDistributedField(DistributedField* ranks)
 {
   this->Ranks = ranks;
   this->Field = ranks->GetFullGrid();
   this->Data = ranks->GetData();
 }
 
-void ImplicitFlowRun::ReplaceAutomatic(double speed)
+void ImplicitFlowRun::ReplaceAutomaticValues(double speed)
 {
   const auto replace = [](auto& value, auto automatic) { value = value > 0 ? value : automatic; };
   // Values must be above 0 even if all vectors are 0.
@@ -146,7 +146,7 @@ Error ImplicitFlowRun::ExecuteLocal(const std::vector<vtkDataArray*>& means, vtk
         }
       }
       LocalStreamlines<decltype(own)> streamlines(own, this->Owner);
-      this->FollowAll(streamlines, samples, domainFaces);
+      this->RunStagesWithCheckpoint(streamlines, samples, domainFaces);
     },
     StageProgress(this->Owner, 0.0, FieldDispatch::BuildingPart));
 }
@@ -165,7 +165,7 @@ Error ImplicitFlowRun::ExecuteDistributed(
   this->Describe(streamlines->GetField());
   streamlines->Describe(this->Report);
   const int domainFaces = this->Options.DomainFaces ? streamlines->FindDomainFaces() : 0;
-  this->FollowAll(*streamlines, samples, domainFaces);
+  this->RunStagesWithCheckpoint(*streamlines, samples, domainFaces);
   RankExchange& exchange = this->Ranks->GetExchange();
   std::vector<vtkIdType> steps(static_cast<std::size_t>(exchange.GetNumberOfRanks()), 0);
   steps[static_cast<std::size_t>(exchange.GetRank())] = streamlines->GetNumberOfSteps();
@@ -177,7 +177,8 @@ Error ImplicitFlowRun::ExecuteDistributed(
   return {};
 }
 
-void ImplicitFlowRun::FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
+void ImplicitFlowRun::RunStagesWithCheckpoint(
+  Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
 {
   if (!this->Checkpoint)
   {
@@ -193,8 +194,8 @@ void ImplicitFlowRun::FollowAll(Streamlines& streamlines, vtkDataSet* samples, i
 
 void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, int domainFaces)
 {
-  this->ReplaceAutomatic(streamlines.GetField().GetSpeedScale());
-  this->AddSurfaces(samples, this->Options.DomainFaces ? domainFaces : 0);
+  this->ReplaceAutomaticValues(streamlines.GetField().GetSpeedScale());
+  this->AddSurfacesArray(samples, this->Options.DomainFaces ? domainFaces : 0);
   StageContext context{ streamlines, this->Options, this->Report, this->GetFieldLength(),
     FieldDispatch::BuildingPart };
   SampleIntegration integration(context, samples);
@@ -274,7 +275,7 @@ double ImplicitFlowRun::GetFieldLength() const
     { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-void ImplicitFlowRun::AddSurfaces(vtkDataSet* samples, int domainFaces) const
+void ImplicitFlowRun::AddSurfacesArray(vtkDataSet* samples, int domainFaces) const
 {
   vtkNew<vtkIntArray> table;
   table->SetName(vtkFlowStatus::SurfacesArray());

@@ -38,11 +38,11 @@ public:
 
   /// Sets the distributed field. The field and the vectors then belong to the partition of this
   /// process, and every process must execute.
-  void SetRanks(DistributedField* ranks);
+  void SetDistributedField(DistributedField* ranks);
 
   /// Sets whether the input has hidden cells or points. Streamlines end there, and samples near the
   /// boundary of the reached region get far-side values.
-  void SetHidden(bool hasHidden) { this->HasObstacles = hasHidden; }
+  void SetHasHidden(bool hasHidden) { this->HasObstacles = hasHidden; }
 
   /// Sets the checkpoint for finished streamlines; null for none.
   void SetCheckpoint(FlowCheckpoint* checkpoint) { this->Checkpoint = checkpoint; }
@@ -55,7 +55,7 @@ public:
 
   /// Returns the samples of all refinement levels; null if there are no levels, or after an error
   /// or an abort.
-  vtkUnstructuredGrid* GetRefined() const { return this->Refined; }
+  vtkUnstructuredGrid* GetRefinedSamples() const { return this->Refined; }
 
   const FlowReport& GetReport() const { return this->Report; }
 
@@ -69,7 +69,7 @@ public:
 private:
   /// Replaces automatic values in the options. The automatic error and minimum speed are fractions
   /// of \a speed (SpeedScale).
-  void ReplaceAutomatic(double speed);
+  void ReplaceAutomaticValues(double speed);
   ///@{
   /// Build the field and advect all samples. ExecuteLocal requires that this process holds the
   /// complete field; ExecuteDistributed is for a distributed field.
@@ -77,7 +77,7 @@ private:
   Error ExecuteDistributed(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
   ///@}
   /// Runs all stages, with the checkpoint if there is one.
-  void FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
+  void RunStagesWithCheckpoint(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
   /// Runs the stages of StageContext in order.
   void RunStages(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
   vtkSmartPointer<vtkUnstructuredGrid> Refine(vtkUnstructuredGrid* grid);
@@ -87,7 +87,7 @@ private:
   /// Returns the length of the diagonal of the field's bounds.
   double GetFieldLength() const;
   Error FindArrays(std::vector<vtkDataArray*>& means) const;
-  void AddSurfaces(vtkDataSet* samples, int domainFaces) const;
+  void AddSurfacesArray(vtkDataSet* samples, int domainFaces) const;
 
   vtkAlgorithm* Owner;
   AdvectionOptions Options;

@@ -4,7 +4,7 @@
 #include "Common/Vectors.h"
 #include "Fields/FlowField.h"
 #include "Samples/SampleOrder.h"
-#include "Samples/StreamlineSharing.h"
+#include "Samples/StreamlineInterpolation.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -58,7 +58,7 @@ bool SampleIntegration::Run(vtkDataSet* samples, vtkIdType first, int level)
   }
   this->Sides.SetNumberOfSamples(all);
   int dimensions[3];
-  const bool isDone = this->CanInterpolate(dimensions) ? this->FollowAndInterpolate(dimensions)
+  const bool isDone = this->CanInterpolate(dimensions) ? this->AdvectAndInterpolate(dimensions)
                                                        : this->Follow(SampleOrder(samples, first));
   for (const FlowReport& report : reports)
   {
@@ -77,7 +77,7 @@ bool SampleIntegration::CanInterpolate(int dimensions[3]) const
   const bool hasQuantities = options.ComputeMaximumSpeed || options.ComputeArcLength ||
     options.ComputeMeanVorticity || !options.MeanNumbers.empty();
   return options.InterpolateStreamlines && this->Level == 0 && !hasQuantities &&
-    StreamlineSharing::GetDimensions(this->Samples, dimensions);
+    StreamlineInterpolation::GetDimensions(this->Samples, dimensions);
 }
 
 double SampleIntegration::GetProgress() const
@@ -138,14 +138,14 @@ double SampleIntegration::GetDistance(int id, const double first[2], const doubl
     std::max(std::abs(first[0] - other[0]), std::abs(first[1] - other[1]));
 }
 
-bool SampleIntegration::FollowAndInterpolate(const int dimensions[3])
+bool SampleIntegration::AdvectAndInterpolate(const int dimensions[3])
 {
   const double speed = this->Context.Field.GetField().GetSpeedScale();
-  StreamlineSharing sharing(
+  StreamlineInterpolation sharing(
     dimensions,
     { this->Arrays.Status->GetPointer(0), this->Arrays.Id->GetPointer(0),
       this->Arrays.Parameters->GetPointer(0), this->Arrays.Time->GetPointer(0) },
-    [&](const StreamlineSharing::SampleResult& guess, const double* uv, double time)
+    [&](const StreamlineInterpolation::SampleResult& guess, const double* uv, double time)
     {
       const double error = std::max(
         this->GetDistance(guess.Id, guess.Parameters, uv), speed * std::abs(guess.Time - time));
@@ -164,12 +164,12 @@ bool SampleIntegration::FollowAndInterpolate(const int dimensions[3])
   bool isActive = this->Follow(SampleOrder(this->Samples, sharing.GetFirst()));
   while (isActive && sharing.Next())
   {
-    isActive = this->Follow(SampleOrder(this->Samples, sharing.GetFollowed())) &&
+    isActive = this->Follow(SampleOrder(this->Samples, sharing.GetSamplesToAdvect())) &&
       this->Follow(SampleOrder(this->Samples, sharing.CheckCenters()));
     if (isActive)
     {
       sharing.VisitInterpolated(
-        [&](vtkIdType id, const StreamlineSharing::SampleResult& interpolated)
+        [&](vtkIdType id, const StreamlineInterpolation::SampleResult& interpolated)
         {
           AdvectionResult result;
           result.Status = vtkFlowStatus::REACHED_SURFACE;
@@ -191,7 +191,7 @@ void SampleIntegration::FindSides()
 {
   this->Arrays.Side->Fill(0);
   const std::vector<vtkIdType> corners =
-    this->Sides.FindCorners(this->Samples, this->Arrays.Id->GetPointer(0));
+    this->Sides.FindCutCellCorners(this->Samples, this->Arrays.Id->GetPointer(0));
   const std::vector<Streamlines::Velocity> velocities =
     this->Context.Field.GetVelocities(static_cast<vtkIdType>(corners.size()),
       [&](vtkIdType i, double x[3])

@@ -19,7 +19,7 @@ class SampleOrder;
 /**
  * @class   SampleIntegration
  * @brief   advects samples in the order of a space-filling curve, or with interpolation
- * (StreamlineSharing)
+ * (StreamlineInterpolation)
  *
  * This is the first stage of an execution. It runs again after each level of refinement.
  */
@@ -38,7 +38,7 @@ public:
 private:
   bool Follow(const SampleOrder& order);
   /// Advects some of the samples on a grid with the given dimensions, and interpolates the others.
-  bool FollowAndInterpolate(const int dimensions[3]);
+  bool AdvectAndInterpolate(const int dimensions[3]);
   void Store(vtkIdType id, const AdvectionResult& result);
   void FindSides();
   double GetProgress() const;

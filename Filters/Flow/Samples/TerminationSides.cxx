@@ -122,7 +122,8 @@ void TerminationSides::Add(vtkIdType sample, const double x[3], const AdvectionR
     : 0.0F;
 }
 
-std::vector<vtkIdType> TerminationSides::FindCorners(vtkDataSet* samples, const int* ids) const
+std::vector<vtkIdType> TerminationSides::FindCutCellCorners(
+  vtkDataSet* samples, const int* ids) const
 {
   const vtkIdType cells = this->Surfaces.empty() ? 0 : samples->GetNumberOfCells();
   vtkSMPThreadLocalObject<vtkIdList> lists;

@@ -37,7 +37,7 @@ public:
 
   /// Returns the samples at corners of cells that a surface crosses, in ascending order. \a ids are
   /// the samples' TerminationIds.
-  std::vector<vtkIdType> FindCorners(vtkDataSet* samples, const int* ids) const;
+  std::vector<vtkIdType> FindCutCellCorners(vtkDataSet* samples, const int* ids) const;
 
   /// Returns the value of vtkFlowStatus::SideArray for a sample at \a x. \a velocity must not be
   /// negated for backward streamlines.

@@ -157,7 +157,7 @@ bool DistributedField::IsEmpty() const
     this->Own[static_cast<std::size_t>(this->Exchange.GetRank())].data());
 }
 
-DistributedField::Extent DistributedField::GetHeld() const
+DistributedField::Extent DistributedField::GetHeldExtent() const
 {
   Extent held = this->Own[static_cast<std::size_t>(this->Exchange.GetRank())];
   for (std::size_t axis = 0; axis < 3 && !this->IsEmpty(); ++axis)
@@ -216,7 +216,7 @@ Error DistributedField::CheckData(vtkDataSet* data) const
   {
     curved->GetExtent(held);
   }
-  const Extent requested = this->GetHeld();
+  const Extent requested = this->GetHeldExtent();
   for (std::size_t axis = 0; axis < 3 && !this->IsEmpty(); ++axis)
   {
     if (held[2 * axis] > requested[2 * axis] || held[2 * axis + 1] < requested[2 * axis + 1])
@@ -435,7 +435,7 @@ Error DistributedField::UniteBlocks()
   {
     return "the blocks of the processes differ in arrays or data types";
   }
-  SharedPoints::CopyFromFirst(
+  SharedPoints::CopyFromLowestRank(
     positions, arrays, this->IsEmpty() ? 0 : this->Data->GetNumberOfPoints(), this->Exchange);
   return {};
 }

@@ -35,7 +35,7 @@ public:
   DistributedField(vtkMultiProcessController* controller, const int* whole);
 
   /// Returns the extent that this process must hold. It is empty if the process owns no cells.
-  Extent GetHeld() const;
+  Extent GetHeldExtent() const;
   /// Returns true if this process owns no cells.
   bool IsEmpty() const;
   /// Returns the process that owns the cell with the given (i, j, k) index in the whole grid.
@@ -43,12 +43,11 @@ public:
   /// Returns the process that owns a cell of an unstructured grid.
   int FindRank(vtkIdType cell) const;
 
-  /// Sets the data of this process, which must cover GetHeld(). Shared points are identified only
-  /// if this is necessary to decide whether the field has more than \a few points. If
-  /// \a isOfBlocks is true, the data are merged from this process's blocks of a composite dataset.
-  /// A point that several processes share then receives the values of the first process that has
-  /// it. Collective. If the data of any process cannot be used, all processes return the same
-  /// error.
+  /// Sets the data of this process, which must cover GetHeldExtent(). Shared points are identified
+  /// only if this is necessary to decide whether the field has more than \a few points. If \a
+  /// isOfBlocks is true, the data are merged from this process's blocks of a composite dataset. A
+  /// point that several processes share then receives the values of the first process that has it.
+  /// Collective. If the data of any process cannot be used, all processes return the same error.
   Error SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks = false);
 
   ///@{

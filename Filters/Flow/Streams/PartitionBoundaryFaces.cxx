@@ -26,7 +26,7 @@ struct Reach
   double Center[3];
   double Tolerance;
 
-  Reach(const OutsideFace& face, const ArrayRows& positions, vtkBoundingBox& all)
+  Reach(const BoundaryFace& face, const ArrayRows& positions, vtkBoundingBox& all)
   {
     const CellShape::Face& shape = face.GetShape();
     double corners[4][3];
@@ -48,7 +48,7 @@ struct Reach
     const int size = CellShape::Of(face.Shape).NumberOfCorners;
     this->Tolerance =
       FaceLinks::GetTolerance(FaceExtent::Of(corners, shape.NumberOfCorners, face.Cell, size).Width,
-        largest, positions.GetRounding(largest));
+        largest, positions.GetRoundingError(largest));
   }
 };
 
@@ -77,7 +77,7 @@ std::vector<vtkIdType> Merge(
 }
 
 PartitionBoundaryFaces::PartitionBoundaryFaces(
-  std::vector<OutsideFace>&& own, const ArrayRows& positions, RankExchange& exchange)
+  std::vector<BoundaryFace>&& own, const ArrayRows& positions, RankExchange& exchange)
   : NumberOfOwn(own.size())
   , Faces(std::move(own))
   , Positions(positions)
@@ -90,7 +90,7 @@ void PartitionBoundaryFaces::ExchangeFaces(RankExchange& exchange)
   std::vector<Reach> reaches;
   vtkBoundingBox box;
   std::vector<double> largestTolerance{ 0.0 };
-  for (const OutsideFace& face : this->Faces)
+  for (const BoundaryFace& face : this->Faces)
   {
     reaches.emplace_back(face, this->Positions, box);
     largestTolerance[0] = std::max(largestTolerance[0], reaches.back().Tolerance);
@@ -131,7 +131,7 @@ void PartitionBoundaryFaces::FindLinks(bool isMerged)
 {
   // The corners of a face's cell start at index MaximumCorners times the index of the face.
   std::vector<const double*> corners;
-  for (const OutsideFace& face : this->Faces)
+  for (const BoundaryFace& face : this->Faces)
   {
     for (const auto& corner : face.Cell)
     {

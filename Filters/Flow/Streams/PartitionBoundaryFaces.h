@@ -18,16 +18,16 @@ namespace interlume
 /// Face on the boundary of a partition. The member Face is eight times the id of the face's cell in
 /// the whole grid, plus the index of the face in the cell. Shape is the shape of the cell, and Cell
 /// contains the positions of the cell's corners.
-struct OutsideFace
+struct BoundaryFace
 {
   vtkIdType Face = -1;
   int Shape = CellShape::HEXAHEDRON;
   double Cell[8][3] = {};
 
   template <typename Field>
-  static OutsideFace Of(const Field& field, vtkIdType face)
+  static BoundaryFace Of(const Field& field, vtkIdType face)
   {
-    OutsideFace outside;
+    BoundaryFace outside;
     outside.Face = face;
     const typename Field::CellLocation location = field.GetCellLocation(face / 8);
     outside.Shape = field.GetShape(location);
@@ -58,15 +58,15 @@ public:
   /// Sets the faces of this process, and appends faces of other processes that may match them. \a
   /// positions are the positions of this process's points. Collective.
   PartitionBoundaryFaces(
-    std::vector<OutsideFace>&& own, const ArrayRows& positions, RankExchange& exchange);
+    std::vector<BoundaryFace>&& own, const ArrayRows& positions, RankExchange& exchange);
 
   /// Finds the matching faces of this process's faces. In a link, Face is the index of the matching
   /// face (see Get), or -1 if there is no match. If \a isMerged is true, corners with equal
   /// coordinates are the same point. There must be at least one face.
   void FindLinks(bool isMerged);
 
-  const OutsideFace& Get(vtkIdType i) const { return this->Faces[static_cast<std::size_t>(i)]; }
-  const std::vector<OutsideFace>& GetAll() const { return this->Faces; }
+  const BoundaryFace& Get(vtkIdType i) const { return this->Faces[static_cast<std::size_t>(i)]; }
+  const std::vector<BoundaryFace>& GetAll() const { return this->Faces; }
   /// Returns the links of all faces. Only the links of this process's faces are valid.
   const std::vector<FaceLinks::Link>& GetLinks() const { return this->Links; }
   /// Returns the number of this process's faces whose positions differ from those of the matching
@@ -78,7 +78,7 @@ private:
   void ExchangeFaces(RankExchange& exchange);
 
   std::size_t NumberOfOwn;
-  std::vector<OutsideFace> Faces;
+  std::vector<BoundaryFace> Faces;
   std::vector<FaceLinks::Link> Links;
   const ArrayRows& Positions;
 };

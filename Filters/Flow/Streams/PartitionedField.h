@@ -52,7 +52,7 @@ public:
   /// Counts the speeds at points such that all processes together count each point once.
   SpeedCount CountOwnSpeeds() const
   {
-    return this->CountHeldSpeeds([this](const int index[3]) { return this->IsOwn(index); });
+    return this->CountLocalSpeeds([this](const int index[3]) { return this->OwnsPoint(index); });
   }
   /// Sets the speeds of the whole field.
   using BaseField::SetSpeeds;
@@ -87,7 +87,7 @@ public:
 protected:
   /// Returns the indices of the first and last cells that this process owns. If it owns no cells,
   /// the last index is less than the first.
-  void GetOwn(int first[3], int last[3]) const
+  void GetOwnedCellRange(int first[3], int last[3]) const
   {
     std::copy_n(this->First, 3, first);
     std::copy_n(this->Last, 3, last);
@@ -96,7 +96,7 @@ protected:
 private:
   /// Returns true if this process counts the point. A process counts the points at the lower
   /// corners of its cells and, if its cells reach the upper end of the grid, the points there.
-  bool IsOwn(const int index[3]) const
+  bool OwnsPoint(const int index[3]) const
   {
     bool isOwn = true;
     for (int axis = 0; axis < 3; ++axis)

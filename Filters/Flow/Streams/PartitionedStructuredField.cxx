@@ -21,12 +21,12 @@ void PartitionedStructuredField::FindSeams(RankExchange& exchange)
 {
   int first[3];
   int last[3];
-  this->GetOwn(first, last);
-  const std::vector<vtkIdType> own = this->GetOutsideFaces(first, last);
-  std::vector<OutsideFace> outside;
+  this->GetOwnedCellRange(first, last);
+  const std::vector<vtkIdType> own = this->GetBoundaryFaces(first, last);
+  std::vector<BoundaryFace> outside;
   for (const vtkIdType face : own)
   {
-    outside.push_back(OutsideFace::Of(*this, face));
+    outside.push_back(BoundaryFace::Of(*this, face));
   }
   PartitionBoundaryFaces faces(std::move(outside), this->GetPositions(), exchange);
   if (own.empty())
@@ -36,7 +36,7 @@ void PartitionedStructuredField::FindSeams(RankExchange& exchange)
   }
   faces.FindLinks(false);
   std::vector<vtkIdType> all;
-  for (const OutsideFace& face : faces.GetAll())
+  for (const BoundaryFace& face : faces.GetAll())
   {
     all.push_back(face.Face);
   }
@@ -48,9 +48,9 @@ NonconformingInterfaces PartitionedStructuredField::FindNonconformingInterfaces(
 {
   int first[3];
   int last[3];
-  this->GetOwn(first, last);
+  this->GetOwnedCellRange(first, last);
   return PartitionedInterfaces::Find(
-    *this, this->WithoutSeams(this->GetOutsideFaces(first, last)), exchange)
+    *this, this->RemoveSeamFaces(this->GetBoundaryFaces(first, last)), exchange)
     .Open;
 }
 

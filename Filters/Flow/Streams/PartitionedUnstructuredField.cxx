@@ -54,7 +54,7 @@ Error PartitionedUnstructuredField::BuildPart(vtkUnstructuredGrid* grid, vtkData
   {
     return error;
   }
-  this->FindOnlyType();
+  this->FindCommonType();
   return this->GetCellPositions().FindError(this->GetNumberOfCells());
 }
 
@@ -78,8 +78,8 @@ Error PartitionedUnstructuredField::Join(RankExchange& exchange)
   this->Use(mesh);
   const std::vector<vtkIdType> faces = this->GetGlobalOuterFaces();
   this->Repeated =
-    SharedPoints::FindRepeated(this->GetPointsOf(faces), this->GetPositions(), exchange);
-  this->FindLinksToOthers(faces, *mesh, exchange);
+    SharedPoints::FindRepeated(this->GetPointsOfFaces(faces), this->GetPositions(), exchange);
+  this->FindRemoteLinks(faces, *mesh, exchange);
   this->Interfaces = PartitionedInterfaces::Find(*this, this->GetGlobalOuterFaces(), exchange);
   return {};
 }
@@ -92,7 +92,7 @@ std::vector<vtkIdType> PartitionedUnstructuredField::GetGlobalOuterFaces() const
   return faces;
 }
 
-std::vector<vtkIdType> PartitionedUnstructuredField::GetPointsOf(
+std::vector<vtkIdType> PartitionedUnstructuredField::GetPointsOfFaces(
   const std::vector<vtkIdType>& faces) const
 {
   std::vector<vtkIdType> points;
@@ -107,13 +107,13 @@ std::vector<vtkIdType> PartitionedUnstructuredField::GetPointsOf(
   return points;
 }
 
-void PartitionedUnstructuredField::FindLinksToOthers(
+void PartitionedUnstructuredField::FindRemoteLinks(
   const std::vector<vtkIdType>& own, MeshLinks& mesh, RankExchange& exchange)
 {
-  std::vector<OutsideFace> outside;
+  std::vector<BoundaryFace> outside;
   for (const vtkIdType face : own)
   {
-    outside.push_back(OutsideFace::Of(*this, face));
+    outside.push_back(BoundaryFace::Of(*this, face));
   }
   PartitionBoundaryFaces faces(std::move(outside), this->GetPositions(), exchange);
   if (own.empty())
@@ -129,7 +129,7 @@ void PartitionedUnstructuredField::FindLinksToOthers(
     {
       continue;
     }
-    const OutsideFace& other = faces.Get(link.Face);
+    const BoundaryFace& other = faces.Get(link.Face);
     const auto number = static_cast<int>(other.Face % 8);
     RemoteCell remote;
     remote.Cell.Cell = other.Face / 8;
@@ -150,7 +150,7 @@ void PartitionedUnstructuredField::FindLinksToOthers(
 SpeedCount PartitionedUnstructuredField::CountOwnSpeeds() const
 {
   return this->CountSpeeds(
-    [this](vtkIdType cell, vtkIdType* points) { return this->GetStoredPoints(cell, points); }, true,
+    [this](vtkIdType cell, vtkIdType* points) { return this->GetConnectivity(cell, points); }, true,
     [this](vtkIdType point)
     { return !std::binary_search(this->Repeated.begin(), this->Repeated.end(), point); });
 }
@@ -159,7 +159,7 @@ void PartitionedUnstructuredField::FindPatches(RankExchange& exchange)
 {
   PartitionedPatches::Surface own;
   own.Faces = this->GetGlobalOuterFaces();
-  const std::vector<vtkIdType> points = this->GetPointsOf(own.Faces);
+  const std::vector<vtkIdType> points = this->GetPointsOfFaces(own.Faces);
   for (const vtkIdType point : points)
   {
     own.Positions.emplace_back();

@@ -113,8 +113,8 @@ private:
   };
 
   std::vector<vtkIdType> GetGlobalOuterFaces() const;
-  std::vector<vtkIdType> GetPointsOf(const std::vector<vtkIdType>& faces) const;
-  void FindLinksToOthers(
+  std::vector<vtkIdType> GetPointsOfFaces(const std::vector<vtkIdType>& faces) const;
+  void FindRemoteLinks(
     const std::vector<vtkIdType>& faces, MeshLinks& mesh, RankExchange& exchange);
 
   vtkIdType First = 0;

@@ -105,7 +105,7 @@ std::vector<vtkIdType> SharedPoints::FindRepeated(
   return repeated;
 }
 
-void SharedPoints::CopyFromFirst(const ArrayRows& positions,
+void SharedPoints::CopyFromLowestRank(const ArrayRows& positions,
   const std::vector<vtkDataArray*>& arrays, vtkIdType numberOfPoints, RankExchange& exchange)
 {
   std::vector<vtkIdType> points(static_cast<std::size_t>(numberOfPoints));

@@ -26,7 +26,7 @@ std::vector<vtkIdType> FindRepeated(
 /// Replaces the tuples of each shared point with those of the process with the lowest rank that has
 /// the point. The arrays must have contiguous tuples. All processes with points must pass the same
 /// arrays in the same order. Collective.
-void CopyFromFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
+void CopyFromLowestRank(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
   vtkIdType numberOfPoints, RankExchange& exchange);
 }
 

@@ -100,7 +100,7 @@ LevelContours::Parameters LevelContours::GetCrossing(Edge edge, double level) co
   return getPosition(along);
 }
 
-void LevelContours::FollowSquare(int i, int j, double level, std::vector<int>& next) const
+void LevelContours::LinkSquareEdges(int i, int j, double level, std::vector<int>& next) const
 {
   // Corners and the edges between them, counterclockwise.
   const double corners[4] = { this->GetValue(i, j), this->GetValue(i + 1, j),
@@ -150,7 +150,7 @@ std::vector<int> LevelContours::FindNext(double level) const
   {
     for (int i = 0; i < this->Resolution; ++i)
     {
-      this->FollowSquare(i, j, level, next);
+      this->LinkSquareEdges(i, j, level, next);
     }
   }
   return next;

@@ -55,7 +55,7 @@ private:
   Parameters GetCrossing(Edge edge, double level) const;
   /// Returns, for each edge, the next edge along its contour, or -1 if there is none.
   std::vector<int> FindNext(double level) const;
-  void FollowSquare(int i, int j, double level, std::vector<int>& next) const;
+  void LinkSquareEdges(int i, int j, double level, std::vector<int>& next) const;
 
   Function Evaluate;
   int Resolution;

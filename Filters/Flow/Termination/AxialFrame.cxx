@@ -37,7 +37,7 @@ glm::dvec3 AxialFrame::GetVector(double a, double b, double c) const
   return a * this->X + b * this->Y + c * this->Axis;
 }
 
-double AxialFrame::GetTurn(double x, double y)
+double AxialFrame::GetAngleInTurns(double x, double y)
 {
   const double turn = std::atan2(y, x) / (2.0 * vtkMath::Pi());
   const double positive = turn < 0.0 ? turn + 1.0 : turn;

@@ -31,7 +31,7 @@ struct AxialFrame
   glm::dvec3 GetVector(double a, double b, double c) const;
 
   /// Returns the angle of vector (x, y) from X toward Y in turns, in [0,1); 0 for a zero vector.
-  static double GetTurn(double x, double y);
+  static double GetAngleInTurns(double x, double y);
 };
 
 }

@@ -130,7 +130,7 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   this->Triangles.push_back({ { a, b, c } });
 }
 
-void TerminationGrid::CutCell(int i, int j)
+void TerminationGrid::ClipCell(int i, int j)
 {
   // The vertices of the clipped cell are its corners inside the part and the border crossings on
   // its edges.
@@ -206,7 +206,7 @@ bool TerminationGrid::Execute(vtkAlgorithm* owner, double start, double end)
   {
     for (int i = 0; i < this->Columns; ++i)
     {
-      this->CutCell(i, j);
+      this->ClipCell(i, j);
     }
   }
   return true;

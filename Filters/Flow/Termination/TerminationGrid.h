@@ -59,7 +59,7 @@ private:
   void MakeNode(int i, int j);
   void MakeCrossings(int i, int j);
   void FillPoint(Point& point) const;
-  void CutCell(int i, int j);
+  void ClipCell(int i, int j);
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c);
 
   const vtkTerminationSurface* Surface;

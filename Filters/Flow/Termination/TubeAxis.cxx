@@ -104,7 +104,8 @@ Error TubeAxis::Build(const std::vector<glm::dvec3>& points)
     }
     else
     {
-      this->Twist = AxialFrame::GetTurn(glm::dot(x, after.Frame.X), glm::dot(x, after.Frame.Y));
+      this->Twist =
+        AxialFrame::GetAngleInTurns(glm::dot(x, after.Frame.X), glm::dot(x, after.Frame.Y));
       this->Twist -= std::round(this->Twist);
     }
   }
@@ -198,7 +199,7 @@ void TubeAxis::GetParameters(const glm::dvec3& x, double uv[2]) const
     distanceBetween > 0.0 ? std::max(0.0, std::min(start / distanceBetween, 1.0)) : 0.5;
   uv[1] = std::min(1.0, (segment.Distance + part * segment.Length) / this->Length);
   uv[1] = this->Closed && uv[1] == 1.0 ? 0.0 : uv[1];
-  const double turn = AxialFrame::GetTurn(components.x, components.y) + this->Twist * uv[1];
+  const double turn = AxialFrame::GetAngleInTurns(components.x, components.y) + this->Twist * uv[1];
   uv[0] = turn - std::floor(turn);
   uv[0] = uv[0] < 1.0 ? uv[0] : 0.0;
 }

@@ -213,7 +213,7 @@ bool CellZeros::Find(MultilinearCell::Shapes shape, const Values& values, std::v
     }
     if (level == MaximumLevel)
     {
-      this->AddDegenerate(size, zeros);
+      this->AddDegenerateZeros(size, zeros);
       break;
     }
     size *= 0.5;
@@ -362,7 +362,7 @@ void CellZeros::Add(const Zero& zero, std::vector<Zero>& zeros)
   }
 }
 
-void CellZeros::AddDegenerate(double size, std::vector<Zero>& zeros) const
+void CellZeros::AddDegenerateZeros(double size, std::vector<Zero>& zeros) const
 {
   struct Candidate
   {

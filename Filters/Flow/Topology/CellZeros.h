@@ -63,7 +63,7 @@ private:
   Findings Examine(const Box& box, double size, std::vector<Zero>& zeros) const;
   void Solve(const Box& box, double size, const MultilinearCell::Values& scaled,
     std::vector<Zero>& zeros) const;
-  void AddDegenerate(double size, std::vector<Zero>& zeros) const;
+  void AddDegenerateZeros(double size, std::vector<Zero>& zeros) const;
   static void Add(const Zero& zero, std::vector<Zero>& zeros);
 
   MultilinearCell::Shapes Shape = MultilinearCell::BOX;

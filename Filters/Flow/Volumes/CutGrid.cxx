@@ -186,11 +186,11 @@ void CutGrid::SetValues(vtkDataSet* input, const FarSideSamples& farSide,
     {
       gradients->SetTypedComponent(p, i, point.Side * normal[i]);
     }
-    double nearTime = farSide.GetNearTime(arrays, row);
+    double nearTime = farSide.GetTimeToSurface(arrays, row);
     if (point.Kind == FarSideSamples::UNKNOWN)
     {
       const vtkIdType other = farSide.GetRow(point.Other, point.IsBoundary);
-      nearTime = -farSide.GetNearTime(arrays, other) * (gap / farSide.GetDistance(other));
+      nearTime = -farSide.GetTimeToSurface(arrays, other) * (gap / farSide.GetDistance(other));
       if (point.IsNear && farSide.HasSurface(row))
       {
         times->SetComponent(p, 0, nearTime);

@@ -49,7 +49,7 @@ public:
   const SurfaceTriangles& GetTriangles() const { return this->Triangles; }
   /// Removes the origin arrays from a mesh.
   static void RemoveOrigins(vtkUnstructuredGrid* mesh);
-  vtkIdType GetPointsOnSeams() const { return this->PointsOnSeams; }
+  vtkIdType GetNumberOfPointsOnSeams() const { return this->PointsOnSeams; }
 
 private:
   struct Origins;

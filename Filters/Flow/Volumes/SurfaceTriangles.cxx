@@ -126,7 +126,7 @@ void SurfaceTriangles::RemoveCopies(vtkIdType numberOfPoints)
     });
 }
 
-void SurfaceTriangles::RemoveLoose(vtkUnstructuredGrid* mesh)
+void SurfaceTriangles::RemoveTrianglesNotInMesh(vtkUnstructuredGrid* mesh)
 {
   const std::vector<vtkIdType> owners = this->FindOwners(mesh);
   this->Filter([&](vtkIdType t) { return owners[t] >= 0; });

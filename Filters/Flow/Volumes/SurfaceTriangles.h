@@ -36,7 +36,7 @@ public:
    * Removes triangles that are not faces of tetrahedra of \a mesh. They occur if an interval only
    * touches a face of the domain, because the values on the face equal a bound of the interval.
    */
-  void RemoveLoose(vtkUnstructuredGrid* mesh);
+  void RemoveTrianglesNotInMesh(vtkUnstructuredGrid* mesh);
 
   /**
    * Replaces the triangles, which are faces of the tetrahedra \a before, with their parts that

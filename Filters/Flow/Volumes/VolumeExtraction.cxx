@@ -196,7 +196,7 @@ bool VolumeExtraction::Run(const Request& request, Result& result, vtkDataSet* i
     cut.GenerateTriangles = filter->GetGenerateBoundaries();
     result.Mesh = this->Cuts.Join(cut, result.Mesh);
     result.CutTriangles = this->Cuts.GetTriangles();
-    result.PointsOnSeams += this->Cuts.GetPointsOnSeams();
+    result.PointsOnSeams += this->Cuts.GetNumberOfPointsOnSeams();
   }
   return true;
 }
@@ -210,7 +210,7 @@ void VolumeExtraction::CollectTriangles(
   // removes them.
   if (isFinal && result.Filter->GetReport()->GetNumber("CollapsedSimplices") > 0)
   {
-    triangles.RemoveLoose(result.Mesh);
+    triangles.RemoveTrianglesNotInMesh(result.Mesh);
   }
 }
 

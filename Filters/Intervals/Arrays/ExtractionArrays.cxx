@@ -43,7 +43,7 @@ bool ExtractionArrays::IsCarried(vtkDataSetAttributes* attributes, vtkAbstractAr
       std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0);
 }
 
-void ExtractionArrays::AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
+void ExtractionArrays::AddArrayLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
   vtkDataSetAttributes* output, vtkAbstractArray* out)
 {
   out->SetName(in->GetName());
@@ -95,7 +95,7 @@ private:
 };
 }
 
-bool ExtractionArrays::IsCompatible(vtkAbstractArray* a, vtkAbstractArray* b)
+bool ExtractionArrays::AreCompatible(vtkAbstractArray* a, vtkAbstractArray* b)
 {
   return a && b && a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
     a->IsA("vtkDataArray") == b->IsA("vtkDataArray") &&
@@ -140,7 +140,7 @@ int ExtractionArrays::GetInterpolatedType(int dataType)
   }
 }
 
-vtkSmartPointer<vtkAbstractArray> ExtractionArrays::NewInterpolated(vtkAbstractArray* in)
+vtkSmartPointer<vtkAbstractArray> ExtractionArrays::NewInterpolatedArray(vtkAbstractArray* in)
 {
   const auto out = vtk::TakeSmartPointer(in->IsA("vtkDataArray")
       ? vtkDataArray::CreateDataArray(GetInterpolatedType(in->GetDataType()))
@@ -181,7 +181,7 @@ int ExtractionArrays::CopyCellData(
         out->SetTuple(i, cells[i], in);
       }
     }
-    AddLike(input, in, output, out);
+    AddArrayLike(input, in, output, out);
     ++arrays;
   }
   return arrays;

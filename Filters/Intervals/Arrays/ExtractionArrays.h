@@ -42,12 +42,12 @@ public:
   static bool IsCarried(vtkDataSetAttributes* attributes, vtkAbstractArray* array);
 
   /// Returns whether two arrays are compatible for interpolation between them. Either may be null.
-  static bool IsCompatible(vtkAbstractArray* a, vtkAbstractArray* b);
+  static bool AreCompatible(vtkAbstractArray* a, vtkAbstractArray* b);
 
   /// Adds \a out to \a output, with the name and the component names of \a in. If \a in is an
   /// active attribute of \a input, such as the scalars, \a out becomes the same attribute of \a
   /// output.
-  static void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
+  static void AddArrayLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
     vtkDataSetAttributes* output, vtkAbstractArray* out);
 
   /// Makes the processed array the active scalars, for color mapping. An unnamed array (name null
@@ -55,7 +55,7 @@ public:
   static void ActivateScalars(const char* name, vtkPointData* output);
 
   /// Creates an empty array for interpolated values of \a in.
-  static vtkSmartPointer<vtkAbstractArray> NewInterpolated(vtkAbstractArray* in);
+  static vtkSmartPointer<vtkAbstractArray> NewInterpolatedArray(vtkAbstractArray* in);
 
   /// Returns the data type of interpolated values of an array of type \a dataType.
   static int GetInterpolatedType(int dataType);

@@ -116,11 +116,11 @@ void PointArrays::AddArrays(vtkPointData* first, vtkPointData* second, vtkIdType
   {
     vtkAbstractArray* in = first->GetAbstractArray(a);
     vtkAbstractArray* inSecond = this->HasKeys ? ArrayMatch::Find(first, in, second) : in;
-    if (!ExtractionArrays::IsCarried(first, in) || !ExtractionArrays::IsCompatible(in, inSecond))
+    if (!ExtractionArrays::IsCarried(first, in) || !ExtractionArrays::AreCompatible(in, inSecond))
     {
       continue;
     }
-    this->Arrays.push_back({ in, inSecond, ExtractionArrays::NewInterpolated(in) });
+    this->Arrays.push_back({ in, inSecond, ExtractionArrays::NewInterpolatedArray(in) });
     if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(in))
     {
       this->AddColumn(numbers, vtkDataArray::SafeDownCast(inSecond),
@@ -274,7 +274,7 @@ void PointArrays::AddTo(vtkPointData* output)
           near < this->Split ? array.First : array.Second);
       }
     }
-    ExtractionArrays::AddLike(this->Input, array.First, output, array.Out);
+    ExtractionArrays::AddArrayLike(this->Input, array.First, output, array.Out);
     if (this->HasKeys)
     {
       array.Out->SetName(ArrayMatch::GetKey(this->Input, array.First).c_str());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cuts/MergedCut.h"
 
-#include "Cuts/ExtractionCell.h"
+#include "Cuts/CoincidentSlots.h"
 #include "Output/OppositePairs.h"
 
 #include <algorithm>
@@ -52,14 +52,14 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
       what, ranks, same,
       [this, size](const Simplex& simplex)
       {
-        if (!ExtractionCell::IsCollapsed(simplex.data(), size))
+        if (!CoincidentSlots::IsCollapsed(simplex.data(), size))
         {
           this->Simplices.push_back(simplex);
         }
       },
       [this, hasSides](const Triangle& triangle)
       {
-        if (hasSides && !ExtractionCell::IsCollapsed(triangle.data(), 3))
+        if (hasSides && !CoincidentSlots::IsCollapsed(triangle.data(), 3))
         {
           this->Triangles.push_back(triangle);
         }
@@ -85,13 +85,13 @@ void MergedCut::AddSides(const vtkIsotable& table, const Item& item, const Code*
   const int vertices = table.GetNumberOfVertices();
   const Code tie = item.First;
   const Slot side = *std::min_element(codes, codes + vertices) < tie ? 0 : 1;
-  table.CutSides(table.GetCase(ExtractionCell::GetKeyInside(vertices)), ranks,
+  table.CutSides(table.GetCase(CoincidentSlots::GetAllInsideKey(vertices)), ranks,
     [&](Slot a, Slot b, Slot c, const Slot* polygon, int number)
     {
       if (std::all_of(polygon, polygon + number, [&](Slot vertex) { return codes[vertex] == tie; }))
       {
         const Triangle triangle{ { same[b], same[a], same[c], side } };
-        if (!ExtractionCell::IsCollapsed(triangle.data(), 3))
+        if (!CoincidentSlots::IsCollapsed(triangle.data(), 3))
         {
           this->Triangles.push_back(triangle);
         }
@@ -106,7 +106,7 @@ void MergedCut::FindFaces(const vtkIsotable& table)
   this->FaceTable = &table;
   this->Faces.clear();
   const vtkIsotable& intervalTable = GetIntervalTable(vertices);
-  intervalTable.CutSides(intervalTable.GetCase(ExtractionCell::GetKeyInside(vertices)),
+  intervalTable.CutSides(intervalTable.GetCase(CoincidentSlots::GetAllInsideKey(vertices)),
     vtkIsotable::RankArray{},
     [this](Slot, Slot, Slot, const Slot* polygon, int number)
     {

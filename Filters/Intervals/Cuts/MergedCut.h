@@ -62,7 +62,7 @@ public:
              this->FacesOf[last]) != 0;
   }
   /// Returns the number of simplices removed from the case.
-  vtkIdType GetNumberCollapsed() const { return this->NumberCollapsed; }
+  vtkIdType GetNumberOfCollapsedSimplices() const { return this->NumberCollapsed; }
 
 private:
   void FindFaces(const vtkIsotable& table);

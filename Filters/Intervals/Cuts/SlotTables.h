@@ -2,7 +2,7 @@
 #ifndef interlume_SlotTables_h
 #define interlume_SlotTables_h
 
-#include "Cuts/ExtractionCell.h"
+#include "Cuts/CoincidentSlots.h"
 #include "Output/CrossingKey.h"
 #include "Scalars/ExtractionValues.h"
 
@@ -42,7 +42,7 @@ struct TableCell
   /// Returns true if two corners are the same point.
   bool HasEqualCorners() const
   {
-    return !this->IsAscending && ExtractionCell::IsCollapsed(this->Ids, this->NumberOfCorners);
+    return !this->IsAscending && CoincidentSlots::IsCollapsed(this->Ids, this->NumberOfCorners);
   }
 };
 
@@ -126,7 +126,8 @@ public:
       return false;
     }
     std::iota(same, same + MaximumNumberOfSlots, Slot(0));
-    ExtractionCell::IdentifyAll((*this)[cell.Shape], item, cell.Codes, what.Slots, hasEqualCorners,
+    CoincidentSlots::FindRepresentatives((*this)[cell.Shape], item, cell.Codes, what.Slots,
+      hasEqualCorners,
       [&](Slot slot)
       {
         vtkIdType owner;

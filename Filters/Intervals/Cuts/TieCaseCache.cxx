@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cuts/TieCaseCache.h"
 
-#include "Cuts/ExtractionCell.h"
+#include "Cuts/CoincidentSlots.h"
 
 #include <numeric>
 
@@ -30,7 +30,7 @@ TieCaseCache::Tied& TieCaseCache::Find(const vtkIsotable& table,
     std::iota(same, same + vtkIsotable::MaximumNumberOfSlots, MergedCut::Slot(0));
     for (const MergedCut::Slot slot : found.Slots)
     {
-      same[slot] = ExtractionCell::Identify(table, item, codes, slot);
+      same[slot] = CoincidentSlots::FindRepresentative(table, item, codes, slot);
     }
     tied.Key = key;
     tied.IsMerged = MergedCut::IsNeeded(found, same);

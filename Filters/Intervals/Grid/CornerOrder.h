@@ -74,16 +74,16 @@ public:
    * differ if the ends are swapped. Ids from \a split on are points at the second time step.
    */
   template <typename Point>
-  void SortHalfway(Point* points, std::size_t number, vtkIdType split = VTK_ID_MAX) const
+  void SortMidpointEnds(Point* points, std::size_t number, vtkIdType split = VTK_ID_MAX) const
   {
     vtkSMPTools::For(0, this->Keys ? static_cast<vtkIdType>(number) : 0,
       [&](vtkIdType first, vtkIdType last)
-      { this->SortHalfwayInThread(points + first, points + last, split); });
+      { this->SortMidpointEndsInThread(points + first, points + last, split); });
   }
 
-  /// Same as SortHalfway(), but in the calling thread.
+  /// Same as SortMidpointEnds(), but in the calling thread.
   template <typename Point>
-  void SortHalfwayInThread(Point* first, Point* last, vtkIdType split = VTK_ID_MAX) const
+  void SortMidpointEndsInThread(Point* first, Point* last, vtkIdType split = VTK_ID_MAX) const
   {
     const auto isBefore = [this, split](vtkIdType a, vtkIdType b)
     {

@@ -9,7 +9,7 @@
 namespace interlume
 {
 
-void InteriorCellPass::Exclude(vtkDataArray* array, double lower, double upper)
+void InteriorCellPass::ExcludePointsOutside(vtkDataArray* array, double lower, double upper)
 {
   const vtkIdType number = array->GetNumberOfTuples();
   this->Points.resize(number, 1);

@@ -33,7 +33,7 @@ struct InteriorCellPass
   std::vector<vtkIdType> TriangleInteriorCells;
 
   /// Excludes the points that do not satisfy a criterion. Call it once per criterion.
-  void Exclude(vtkDataArray* array, double lower, double upper);
+  void ExcludePointsOutside(vtkDataArray* array, double lower, double upper);
 };
 
 /**
@@ -54,11 +54,11 @@ public:
     vtkDataSet* original, const std::vector<vtkIdType>* originals, const InteriorCellPass& pass);
 
   /// Returns whether a cell was an interior cell in the previous pass.
-  bool IsPassed(vtkIdType cell) const { return cell >= this->FirstPassed; }
-  vtkIdType GetFirstPassed() const { return this->FirstPassed; }
+  bool IsPassedThrough(vtkIdType cell) const { return cell >= this->FirstPassed; }
+  vtkIdType GetFirstPassedCell() const { return this->FirstPassed; }
 
   /// Returns whether cells with this point may be interior.
-  bool MayHave(vtkIdType point) const { return !this->Marks || this->Marks[point] != 0; }
+  bool SatisfiesCriteria(vtkIdType point) const { return !this->Marks || this->Marks[point] != 0; }
 
   /// The following functions describe cells that replace polyhedra.
   vtkDataSet* GetOriginal() const { return this->Original; }

@@ -83,7 +83,7 @@ public:
   static void Remove(std::vector<Simplex>& simplices)
   {
     using Id = typename Simplex::value_type;
-    if (!MayHaveEqual<Size>(simplices))
+    if (!MayHaveDuplicates<Size>(simplices))
     {
       return;
     }
@@ -119,7 +119,7 @@ private:
   // Returns true if any two simplices may have the same points. This quick test rejects most
   // lists because duplicates are rare.
   template <std::size_t Size, typename Simplex>
-  static bool MayHaveEqual(const std::vector<Simplex>& simplices)
+  static bool MayHaveDuplicates(const std::vector<Simplex>& simplices)
   {
     constexpr std::size_t maximum = 256;
     const std::size_t number = simplices.size();

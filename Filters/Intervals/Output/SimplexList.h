@@ -39,7 +39,7 @@ class SimplexList
 public:
   using Slot = vtkIsotable::Slot;
 
-  static bool AreIdsNarrow(vtkIdType numberOfPoints, vtkIdType numberOfIds)
+  static bool CanUse32BitStorage(vtkIdType numberOfPoints, vtkIdType numberOfIds)
   {
     constexpr vtkIdType maximum = std::numeric_limits<vtkTypeInt32>::max();
     return numberOfPoints <= maximum && numberOfIds <= maximum;
@@ -67,7 +67,7 @@ public:
         Set(list.Offsets->GetPointer(0)[number + interiorCells], ids);
       }
     };
-    AreIdsNarrow(numberOfPoints, ids) ? allocate(this->Narrow) : allocate(this->Wide);
+    CanUse32BitStorage(numberOfPoints, ids) ? allocate(this->Narrow) : allocate(this->Wide);
     this->FindIds();
   }
 
@@ -92,7 +92,10 @@ public:
   {
     const vtkIdType at = this->Number + cell;
     std::pair<vtkIdType, vtkIdType> range;
-    this->VisitAll([&](auto*, const auto* offsets) { range = { offsets[at], offsets[at + 1] }; });
+    this->VisitIdsAndOffsets(
+      [&](auto*, const auto* offsets) {
+        range = { offsets[at], offsets[at + 1] };
+      });
     return range;
   }
 
@@ -104,7 +107,7 @@ public:
     {
       return;
     }
-    this->VisitAll(
+    this->VisitIdsAndOffsets(
       [&](const auto* values, const auto* offsets)
       {
         vtkSMPTools::For(0, this->NumberOfInteriorCells,
@@ -124,7 +127,7 @@ public:
   void WriteInteriorCell(vtkIdType cell, vtkIdType position, const vtkIdType* ids, int number)
   {
     const vtkIdType first = this->Number * this->Size + position;
-    this->VisitAll(
+    this->VisitIdsAndOffsets(
       [&](auto* values, auto* offsets)
       {
         Set(offsets[this->Number + cell], first);
@@ -155,7 +158,7 @@ public:
 
   /// Repeats the \a number simplices before index \a first, \a cells times. Each repetition
   /// increases all ids by 1.
-  void WriteNext(vtkIdType first, std::size_t number, vtkIdType cells)
+  void WriteIncrementedCopies(vtkIdType first, std::size_t number, vtkIdType cells)
   {
     const int ids = static_cast<int>(number) * this->Size;
     const vtkIdType position = first * this->Size;
@@ -233,7 +236,7 @@ public:
     const vtkIdType before = this->GetNumberOfIds();
     if (this->NumberOfInteriorCells > 0)
     {
-      this->VisitAll(
+      this->VisitIdsAndOffsets(
         [&](auto* values, auto* offsets)
         {
           std::copy(
@@ -258,7 +261,7 @@ public:
       const auto ids = this->GetInteriorIdRange(cell);
       if (!isRemoved[cell])
       {
-        this->VisitAll(
+        this->VisitIdsAndOffsets(
           [&](auto* values, auto* offsets)
           {
             std::copy(values + ids.first, values + ids.second, values + position);
@@ -268,7 +271,8 @@ public:
         ++retained;
       }
     }
-    this->VisitAll([&](auto*, auto* offsets) { Set(offsets[this->Number + retained], position); });
+    this->VisitIdsAndOffsets(
+      [&](auto*, auto* offsets) { Set(offsets[this->Number + retained], position); });
     this->NumberOfInteriorCells = retained;
     this->Shorten(position);
   }
@@ -338,7 +342,7 @@ private:
     this->Narrow.FindIds();
     this->Wide.FindIds();
     this->IsStreamed = this->Size == 4 && this->Narrow.Ids &&
-      StridedIdBlock::IsStreamed(this->Narrow.Ids, this->Number);
+      StridedIdBlock::ShouldStream(this->Narrow.Ids, this->Number);
   }
 
   // Calls visit(list) for the list in use, if any.
@@ -372,7 +376,7 @@ private:
 
   // Calls visit(ids, offsets). Requires interior cells.
   template <typename Visitor>
-  void VisitAll(Visitor&& visit) const
+  void VisitIdsAndOffsets(Visitor&& visit) const
   {
     this->VisitList([&visit](const auto& list) { visit(list.Ids, list.Offsets->GetPointer(0)); });
   }

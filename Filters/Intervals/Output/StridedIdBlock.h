@@ -72,7 +72,7 @@ public:
 
   /// Returns true if Stream() can and should write a list of \a number tetrahedra. A long list does
   /// not fit in the cache, so loading its cache lines before writing them would be wasted.
-  static bool IsStreamed(const vtkTypeInt32* ids, vtkIdType number)
+  static bool ShouldStream(const vtkTypeInt32* ids, vtkIdType number)
   {
 #if defined(INTERLUME_HAS_STREAMS)
     constexpr vtkIdType minimum = vtkIdType(1) << 21;

@@ -273,7 +273,7 @@ void ExtractionCleanup::CountFaces(const ExtractionMesh& mesh, TiedFaces<3>& fac
     });
 }
 
-void ExtractionCleanup::SettleTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh)
+void ExtractionCleanup::ResolveTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh)
 {
   TiedFaces<3> faces(mesh.Points.GetSize());
   for (const vtkIdType t : mesh.TiedTriangles)

@@ -49,7 +49,7 @@ public:
    * with the same orientation, of a tetrahedron or interior cell of the interval, and assigns it to
    * the input cell of that tetrahedron or interior cell.
    */
-  static void SettleTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh);
+  static void ResolveTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh);
 
   /**
    * Sets the boundary triangles of \a mesh, whose tetrahedra were cut from those of \a input: the

@@ -94,14 +94,14 @@ struct ExtractionMesh
   }
 
   /// Records the item and the input cell of \a number simplices, starting at index \a first.
-  void NoteSimplices(vtkIdType first, std::size_t number, int item, vtkIdType cell)
+  void SetSimplexOrigins(vtkIdType first, std::size_t number, int item, vtkIdType cell)
   {
-    this->NoteRun(first, number, 1, item, cell);
+    this->SetRunOrigins(first, number, 1, item, cell);
   }
 
-  /// Same as NoteSimplices(), but for \a cells successive input cells, starting at \a cell, with \a
-  /// number simplices each.
-  void NoteRun(vtkIdType first, std::size_t number, vtkIdType cells, int item, vtkIdType cell)
+  /// Same as SetSimplexOrigins(), but for \a cells successive input cells, starting at \a cell,
+  /// with \a number simplices each.
+  void SetRunOrigins(vtkIdType first, std::size_t number, vtkIdType cells, int item, vtkIdType cell)
   {
     const vtkIdType step = static_cast<vtkIdType>(number);
     if (this->HasSeveralItems)
@@ -121,7 +121,7 @@ struct ExtractionMesh
   {
     this->Simplices.WriteInteriorCell(whole, position, ids, number);
     this->InteriorCellTypes[whole] = type;
-    this->NoteSimplices(this->Simplices.GetNumber() + whole, 1, item, cell);
+    this->SetSimplexOrigins(this->Simplices.GetNumber() + whole, 1, item, cell);
   }
 
   /// Removes all but the first \a number simplices and moves the interior cells after them.
@@ -191,7 +191,7 @@ struct ExtractionContext : Blanking
   ExtractionReport* Report = nullptr;
 
   /// Returns true if a cell is skipped because of its ghost flags.
-  bool IsCellLeftOut(vtkIdType cell) const
+  bool IsCellSkipped(vtkIdType cell) const
   {
     return this->IncludeGhostCells ? this->IsCellHidden(cell) : this->IsCellBlanked(cell);
   }
@@ -220,7 +220,7 @@ struct ExtractionContext : Blanking
   }
 
   /// Raises the reported peak of the working memory to \a bytes, unless it is already higher.
-  void NoteWorkingBytes(std::size_t bytes) const
+  void UpdatePeakWorkingBytes(std::size_t bytes) const
   {
     this->Report->WorkingBytes =
       std::max(this->Report->WorkingBytes, static_cast<vtkIdType>(bytes));

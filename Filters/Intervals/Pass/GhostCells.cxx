@@ -63,7 +63,7 @@ void GhostCells::SetBlanking(vtkDataSet* data, Blanking& blanking)
   }
 }
 
-bool GhostCells::AreTied(const ExtractionContext& context)
+bool GhostCells::HaveTies(const ExtractionContext& context)
 {
   if (!context.CellGhosts)
   {
@@ -100,7 +100,7 @@ bool GhostCells::AreTied(const ExtractionContext& context)
   return false;
 }
 
-bool GhostCells::AreTiedOutside(
+bool GhostCells::HaveTiesOutside(
   const ExtractionContext& context, const int dimensions[3], const GridCellRange& window)
 {
   const auto scalars = context.MakeScalars();

@@ -39,10 +39,10 @@ public:
 
   /// Returns whether the value at any corner of a ghost cell equals an isovalue or is not finite.
   /// Used for unstructured grids.
-  static bool AreTied(const ExtractionContext& context);
+  static bool HaveTies(const ExtractionContext& context);
 
-  /// Same as AreTied(), but for all cells outside a window of a structured grid, hidden or not.
-  static bool AreTiedOutside(
+  /// Same as HaveTies(), but for all cells outside a window of a structured grid, hidden or not.
+  static bool HaveTiesOutside(
     const ExtractionContext& context, const int dimensions[3], const GridCellRange& window);
 
   /// Removes the output of ghost cells and counts these cells as blanked.

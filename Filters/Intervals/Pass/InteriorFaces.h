@@ -2,7 +2,7 @@
 #ifndef interlume_InteriorFaces_h
 #define interlume_InteriorFaces_h
 
-#include "Cuts/ExtractionCell.h"
+#include "Cuts/CoincidentSlots.h"
 #include "Grid/CellCorners.h"
 #include "Grid/CellOrientation.h"
 #include "Grid/CornerOrder.h"
@@ -89,7 +89,7 @@ public:
     PermuteCorners(corners, ids, number, outputs);
     bool isFound = false;
     const vtkIsotable& table = vtkIsotable::Get(vtkIsotable::INTERVAL, corners.Shape);
-    table.ForEachSide(table.GetCase(ExtractionCell::GetKeyInside(number)),
+    table.ForEachSide(table.GetCase(CoincidentSlots::GetAllInsideKey(number)),
       [&](const vtkIsotable::Slot* slots, int size)
       { isFound = isFound || isSought(MakePolygon(outputs, slots, size)); });
     return isFound;
@@ -130,7 +130,8 @@ private:
       std::iota(ranks, ranks + number, vtkIsotable::Slot(0));
     }
     const bool isInverted = this->Orientation.IsInverted(shape, points);
-    table.CutSides(table.GetCase(ExtractionCell::GetKeyInside(number)), table.GetSlotRanks(ranks),
+    table.CutSides(table.GetCase(CoincidentSlots::GetAllInsideKey(number)),
+      table.GetSlotRanks(ranks),
       [&](vtkIsotable::Slot a, vtkIsotable::Slot b, vtkIsotable::Slot c,
         const vtkIsotable::Slot* slots, int size)
       {

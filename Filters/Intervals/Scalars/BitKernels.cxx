@@ -23,7 +23,7 @@ inline vtkIdType CountOwnedOf(const BitRows::Row* rows, vtkIdType number)
   vtkIdType count = 0;
   for (vtkIdType word = 0; word < BitRows::GetNumberOfWords(number); ++word)
   {
-    const BitKernels::Owned owned = BitKernels::FindOwned<IsSpecial>(rows, word, number);
+    const BitKernels::Owned owned = BitKernels::FindOwnedPoints<IsSpecial>(rows, word, number);
     count += Count(owned.Edges[0]) + Count(owned.Edges[1]) + Count(owned.Edges[2]);
     count += IsSpecial ? Count(owned.Points) : 0;
   }
@@ -31,7 +31,7 @@ inline vtkIdType CountOwnedOf(const BitRows::Row* rows, vtkIdType number)
 }
 }
 
-vtkIdType BitKernels::CountOwned(const BitRows::Row* rows, vtkIdType number, bool isSpecial)
+vtkIdType BitKernels::CountOwnedPoints(const BitRows::Row* rows, vtkIdType number, bool isSpecial)
 {
   return SimdDispatch::Call([&]
     { return isSpecial ? CountOwnedOf<true>(rows, number) : CountOwnedOf<false>(rows, number); });
@@ -45,7 +45,7 @@ vtkIdType BitKernels::CountNonFinite(const BitRows::Row* rows, vtkIdType number)
     std::uint64_t any = 0;
     for (int r = 0; r < 4; ++r)
     {
-      any |= GetWithNext(rows[r].NonFinite + word);
+      any |= LoadWordPair(rows[r].NonFinite + word);
     }
     count +=
       Count(static_cast<Word>(any | (any >> 1)) & GetValid(word * BitRows::BitsOfWord, number - 1));
@@ -60,10 +60,10 @@ vtkIdType BitKernels::FindCells(
   for (vtkIdType word = 0; word < BitRows::GetNumberOfWords(number); ++word)
   {
     const vtkIdType first = word * BitRows::BitsOfWord;
-    const std::uint64_t a = GetWithNext(rows[0].Above + word);
-    const std::uint64_t b = GetWithNext(rows[1].Above + word);
-    const std::uint64_t c = GetWithNext(rows[2].Above + word);
-    const std::uint64_t d = GetWithNext(rows[3].Above + word);
+    const std::uint64_t a = LoadWordPair(rows[0].Above + word);
+    const std::uint64_t b = LoadWordPair(rows[1].Above + word);
+    const std::uint64_t c = LoadWordPair(rows[2].Above + word);
+    const std::uint64_t d = LoadWordPair(rows[3].Above + word);
     const std::uint64_t any = a | b | c | d;
     const std::uint64_t all = a & b & c & d;
     const auto mixed = static_cast<Word>((any | (any >> 1)) & ~(all & (all >> 1)));

@@ -93,7 +93,7 @@ void Fill(const T* values, vtkIdType number, Word* words, Test&& test)
 }
 
 /// Returns the index of the lowest set bit of a nonzero word.
-inline int FindLowest(Word word)
+inline int FindLowestBit(Word word)
 {
 #if defined(__GNUC__)
   return __builtin_ctz(word);
@@ -117,12 +117,12 @@ void ForEach(Word word, Visitor&& visit)
 {
   for (; word != 0; word &= word - 1)
   {
-    visit(FindLowest(word));
+    visit(FindLowestBit(word));
   }
 }
 
 /// Returns a word and its successor as 64 bits, with the successor in the upper half.
-inline std::uint64_t GetWithNext(const Word* word)
+inline std::uint64_t LoadWordPair(const Word* word)
 {
   return word[0] | (static_cast<std::uint64_t>(word[1]) << BitRows::BitsOfWord);
 }
@@ -149,9 +149,9 @@ struct Owned
  * replaced with the row itself. If \a IsSpecial is false, Ties and NonFinite bits must be 0.
  */
 template <bool IsSpecial>
-inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType number)
+inline Owned FindOwnedPoints(const BitRows::Row* rows, vtkIdType word, vtkIdType number)
 {
-  const std::uint64_t above = GetWithNext(rows[0].Above + word);
+  const std::uint64_t above = LoadWordPair(rows[0].Above + word);
   Owned owned;
   owned.Points = 0;
   owned.Edges[0] =
@@ -162,7 +162,7 @@ inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType numbe
   {
     // An edge point lies strictly between the ends, which must be finite.
     const std::uint64_t ends =
-      GetWithNext(rows[0].Ties + word) | GetWithNext(rows[0].NonFinite + word);
+      LoadWordPair(rows[0].Ties + word) | LoadWordPair(rows[0].NonFinite + word);
     const auto end = static_cast<Word>(ends);
     owned.Points = rows[0].Ties[word];
     owned.Edges[0] &= static_cast<Word>(~(ends | (ends >> 1)));
@@ -172,8 +172,8 @@ inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType numbe
   return owned;
 }
 
-/// Counts the points that FindOwned() finds in all words of a row.
-vtkIdType CountOwned(const BitRows::Row* rows, vtkIdType number, bool isSpecial);
+/// Counts the points that FindOwnedPoints() finds in all words of a row.
+vtkIdType CountOwnedPoints(const BitRows::Row* rows, vtkIdType number, bool isSpecial);
 
 /// Counts the cells between four rows of \a number points that have a corner with a NaN or infinite
 /// value.

@@ -15,7 +15,7 @@ void CodeRow::Fill(
   this->Row = row;
   this->Codes = codes;
   this->IsFinite = scalars.Classify(point, number, codes);
-  ExtractionKernels::FindEnds(codes, number, this->First, this->Last);
+  ExtractionKernels::FindVaryingRange(codes, number, this->First, this->Last);
   // It suffices to read the varying codes and one of the equal codes at each end.
   const vtkIdType begin = this->First - 1;
   const vtkIdType end = std::max(std::min<vtkIdType>(this->Last + 2, number), begin + 1);

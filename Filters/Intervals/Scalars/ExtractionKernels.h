@@ -76,7 +76,7 @@ inline std::int64_t FindChange(const Code* codes, std::int64_t first, std::int64
 }
 
 /// Returns the first index in [first, last) with an odd code in any of four rows, or \a last.
-inline std::int64_t FindOdd(const Code* const rows[4], std::int64_t first, std::int64_t last)
+inline std::int64_t FindOddCode(const Code* const rows[4], std::int64_t first, std::int64_t last)
 {
   // Codes are tested four at a time.
   constexpr std::int64_t step = sizeof(std::uint64_t) / sizeof(Code);
@@ -107,7 +107,7 @@ inline std::int64_t FindOdd(const Code* const rows[4], std::int64_t first, std::
  * the first code, and \a last is the last index whose code differs from the last code. If all codes
  * are equal, \a first is \a number and \a last is -1.
  */
-inline void FindEnds(
+inline void FindVaryingRange(
   const Code* codes, std::int64_t number, std::int64_t& first, std::int64_t& last)
 {
   // Codes are compared four at a time.

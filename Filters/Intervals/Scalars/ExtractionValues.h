@@ -69,7 +69,7 @@ public:
   const std::vector<double>& GetValues() const { return this->Values; }
   const std::vector<Item>& GetItems() const { return this->Items; }
   /// Returns whether a grid point with this code may be an output point.
-  bool IsPoint(Code code) const { return this->Points[code] != 0; }
+  bool IsOutputPoint(Code code) const { return this->Points[code] != 0; }
   /// Returns the code of NaN and infinities.
   Code GetNonFiniteCode() const { return static_cast<Code>(2 * this->Values.size() + 1); }
   /// Returns the base of case keys.

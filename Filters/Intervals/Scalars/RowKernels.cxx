@@ -145,7 +145,7 @@ void RowKernels::Summarize(
     codes, number, minimum, maximum, bits);
 }
 
-void RowKernels::CountOwned(const Code* here, const Code* along, const Code* above,
+void RowKernels::CountOwnedPoints(const Code* here, const Code* along, const Code* above,
   std::int64_t number, const Code* first, Code* second, Code* third, Code* all)
 {
   SimdDispatch::Call(

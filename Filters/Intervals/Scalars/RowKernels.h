@@ -44,7 +44,7 @@ void Summarize(const Code* codes, std::int64_t number, Code& minimum, Code& maxi
  * point itself is an output point, and 0 otherwise. \a second adds the points on the edge along i,
  * \a third also those along j, and \a all also those along k.
  */
-void CountOwned(const Code* here, const Code* along, const Code* above, std::int64_t number,
+void CountOwnedPoints(const Code* here, const Code* along, const Code* above, std::int64_t number,
   const Code* first, Code* second, Code* third, Code* all);
 
 /// Counts the edge points along i, j and k of all grid points of a row.

@@ -170,10 +170,10 @@ std::string EmptyOutputDiagnosis::Explain(
   {
     return pieces.Piece == 0 ? unset : std::string();
   }
-  return pieces.Number <= 1 ? this->ExplainByData(sought) : std::string();
+  return pieces.Number <= 1 ? this->ExplainFromData(sought) : std::string();
 }
 
-std::string EmptyOutputDiagnosis::ExplainByData(const std::string& sought)
+std::string EmptyOutputDiagnosis::ExplainFromData(const std::string& sought)
 {
   std::ostringstream why;
   if (!this->Criteria.empty())

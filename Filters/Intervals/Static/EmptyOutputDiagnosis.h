@@ -42,7 +42,7 @@ public:
     vtkIdType before, vtkIdType after);
 
   /// Records that a message has already reported the error.
-  void NoteMessage() { this->IsExplained = true; }
+  void SetExplained() { this->IsExplained = true; }
 
   /**
    * Returns the reason for an empty output. Returns an empty string if there is output, if a
@@ -83,7 +83,7 @@ private:
   // Returns whether the output is empty, no message has reported an error, and the user has not
   // aborted.
   bool IsUnreported(vtkAlgorithm* owner) const;
-  std::string ExplainByData(const std::string& sought);
+  std::string ExplainFromData(const std::string& sought);
 
   std::vector<vtkSmartPointer<vtkDataSet>> Inputs;
   std::vector<vtkSmartPointer<vtkDataArray>> Scalars;

@@ -109,7 +109,7 @@ bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, P
     return StructuredExtraction::Execute(context, dimensions, mesh);
   }
   context.Unshared = this->SharePoints ? nullptr : &arrays;
-  context.IncludeGhostCells = GhostCells::AreTied(context);
+  context.IncludeGhostCells = GhostCells::HaveTies(context);
   return UnstructuredExtraction::Execute(
     context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
 }
@@ -171,14 +171,14 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     return false;
   }
   report.Cells = input->GetNumberOfCells();
-  report.FoldedCells += ExtractionInput::CountFoldedInRows(input);
+  report.FoldedCells += ExtractionInput::CountFoldedRectilinearCells(input);
   if (!mesh.TiedSimplices.empty())
   {
     ExtractionCleanup::RemoveOppositeSimplices(mesh, context.GetSimplexSize());
   }
   if (!mesh.TiedTriangles.empty())
   {
-    ExtractionCleanup::SettleTiedTriangles(context, mesh);
+    ExtractionCleanup::ResolveTiedTriangles(context, mesh);
   }
   if (context.IncludeGhostCells)
   {

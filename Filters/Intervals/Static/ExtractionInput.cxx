@@ -153,7 +153,7 @@ std::string ExtractionInput::CheckPolyhedra(vtkIdType numberOfConcave)
       "first.";
 }
 
-vtkIdType ExtractionInput::CountFoldedInRows(vtkDataSet* input)
+vtkIdType ExtractionInput::CountFoldedRectilinearCells(vtkDataSet* input)
 {
   vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
   vtkIdType unfolded = 1;

@@ -50,7 +50,7 @@ public:
 
   /// Returns the number of cells of a rectilinear grid where coordinates are not strictly
   /// monotonic, or 0 for other datasets.
-  static vtkIdType CountFoldedInRows(vtkDataSet* input);
+  static vtkIdType CountFoldedRectilinearCells(vtkDataSet* input);
 
   /// Returns the warnings of an extraction with the given report: skipped or simplified cells, and
   /// the results of the three checks above.

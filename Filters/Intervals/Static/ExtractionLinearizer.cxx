@@ -495,7 +495,7 @@ bool ExtractionLinearizer::IsNeeded(vtkDataSet* input)
   const auto stored = GridCells::GetTypes(grid);
   const unsigned char* types = stored->GetPointer(0);
   bool isVisited[256] = {};
-  const vtkIdType first = number > 0 && GridCells::AreOfOneType(types, number) ? number - 1 : 0;
+  const vtkIdType first = number > 0 && GridCells::AreTypesEqual(types, number) ? number - 1 : 0;
   for (vtkIdType cell = first; cell < number; ++cell)
   {
     isVisited[types[cell]] = true;

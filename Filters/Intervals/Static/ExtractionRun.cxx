@@ -28,7 +28,7 @@ vtkDataArray* ExtractionRun::FindScalars(vtkDataSet* input, const std::function<
         ExtractionInput::CheckScalars(input, array, association, wanted).Then(findError))
   {
     vtkErrorWithObjectMacro(this->Owner, << error);
-    this->Empty.NoteMessage();
+    this->Empty.SetExplained();
     return nullptr;
   }
   return vtkDataArray::SafeDownCast(array);

@@ -39,7 +39,7 @@ public:
 
   ExtractionReport& GetReport() { return this->Report; }
 
-  EmptyOutputDiagnosis& GetEmptyResult() { return this->Empty; }
+  EmptyOutputDiagnosis& GetEmptyOutputDiagnosis() { return this->Empty; }
 
   /// What the filter extracts.
   struct Goal

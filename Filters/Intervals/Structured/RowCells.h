@@ -2,7 +2,7 @@
 #ifndef interlume_RowCells_h
 #define interlume_RowCells_h
 
-#include "Cuts/ExtractionCell.h"
+#include "Cuts/CoincidentSlots.h"
 #include "Grid/InteriorCellFilter.h"
 #include "Pass/ExtractionIndex.h"
 #include "Scalars/ExtractionKernels.h"
@@ -26,7 +26,7 @@ namespace interlume
 /**
  * Buffers of a thread for a row of cells.
  */
-struct RowBuffers : RowNotes
+struct RowBuffers : RowResults
 {
   RowPoints::Local Points;
   std::vector<ExtractionValues::Code> Columns;
@@ -61,8 +61,8 @@ public:
     , Nx(nx)
     , Mesh(mesh)
     , Writer(context, table, rows, mesh)
-    , KeyInside(static_cast<Code>(ExtractionCell::GetKeyInside(8)))
-    , InteriorType(GetTypeInRows(context.Input))
+    , KeyInside(static_cast<Code>(CoincidentSlots::GetAllInsideKey(8)))
+    , InteriorType(GetInteriorCellType(context.Input))
   {
   }
 
@@ -73,7 +73,7 @@ public:
   template <bool Write>
   void Process(RowBuffers& local, const CellRow& around, int item, RowCount& position)
   {
-    RowWriter::CellInside inside;
+    RowWriter::InsideCell inside;
     const auto& what = this->Values.GetItems()[item];
     this->FillKeys(local, around, what);
     const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
@@ -100,11 +100,11 @@ public:
         }
         const vtkIsotable::Case& found = this->Table.GetCase(key);
         const vtkIdType end = key == this->KeyInside && !passesInterior && !what.IsFlat
-          ? this->FindEndInside(local, around, i, span[1])
+          ? this->FindInsideRangeEnd(local, around, i, span[1])
           : i;
         if (end > i)
         {
-          this->ProcessInside<Write>(local, around, { i, end }, item, found, inside, position);
+          this->ProcessInsideCells<Write>(local, around, { i, end }, item, found, inside, position);
           i = end - 1;
           continue;
         }
@@ -135,7 +135,7 @@ public:
 private:
   // Returns the type of cells that are passed through uncut. A voxel must be aligned with the
   // coordinate axes.
-  static unsigned char GetTypeInRows(vtkDataSet* input)
+  static unsigned char GetInteriorCellType(vtkDataSet* input)
   {
     vtkImageData* image = vtkImageData::SafeDownCast(input);
     const bool isAlongAxes = image ? image->GetDirectionMatrix()->IsIdentity()
@@ -159,7 +159,7 @@ private:
 
   // Returns the end of the range of cells, starting at \a first, that are inside an interval,
   // finite and without ties.
-  static vtkIdType FindEndInside(
+  static vtkIdType FindInsideRangeEnd(
     const RowBuffers& local, const CellRow& around, vtkIdType first, vtkIdType last)
   {
     const vtkIdType end =
@@ -169,14 +169,15 @@ private:
       return end;
     }
     // A cell also uses the points of the next column, so a tie there affects the cell.
-    const vtkIdType tie = ExtractionKernels::FindOdd(around.Codes, first, end + 1);
+    const vtkIdType tie = ExtractionKernels::FindOddCode(around.Codes, first, end + 1);
     return tie > end ? end : std::max(first, tie - 1);
   }
 
   // Counts or writes cells inside an interval. Without ties, they have no boundary triangles.
   template <bool Write>
-  void ProcessInside(RowBuffers& local, const CellRow& around, const RowPoints::ColumnRange& cells,
-    int item, const vtkIsotable::Case& found, RowWriter::CellInside& inside, RowCount& position)
+  void ProcessInsideCells(RowBuffers& local, const CellRow& around,
+    const RowPoints::ColumnRange& cells, int item, const vtkIsotable::Case& found,
+    RowWriter::InsideCell& inside, RowCount& position)
   {
     if (!Write)
     {
@@ -202,7 +203,8 @@ private:
   {
     for (int v = 0; v < 8; ++v)
     {
-      if (!this->Context.InteriorFilter->MayHave(this->Rows.GetVertex(around.FirstPoint + i, v)))
+      if (!this->Context.InteriorFilter->SatisfiesCriteria(
+            this->Rows.GetVertex(around.FirstPoint + i, v)))
       {
         return false;
       }
@@ -252,12 +254,12 @@ private:
     }
     if (Write)
     {
-      this->Writer.WriteTied(
+      this->Writer.WriteTiedCell(
         around, i, item, tied.Cut, position, local.TiedSimplices, local.TiedTriangles);
     }
     else
     {
-      local.Report.CollapsedSimplices += tied.Cut.GetNumberCollapsed();
+      local.Report.CollapsedSimplices += tied.Cut.GetNumberOfCollapsedSimplices();
       position.Simplices += static_cast<vtkIdType>(tied.Cut.GetSimplices().size());
       position.Triangles += static_cast<vtkIdType>(tied.Cut.GetTriangles().size());
     }

@@ -74,7 +74,7 @@ void ForEachOwner(const Around& around, vtkIdType nx, Visitor&& visit)
   const auto rows = around.GetOwners();
   for (vtkIdType word = 0; word < BitRows::GetNumberOfWords(nx); ++word)
   {
-    const BitKernels::Owned owned = BitKernels::FindOwned<IsSpecial>(rows.data(), word, nx);
+    const BitKernels::Owned owned = BitKernels::FindOwnedPoints<IsSpecial>(rows.data(), word, nx);
     BitKernels::ForEach(owned.Points | owned.Edges[0] | owned.Edges[1] | owned.Edges[2],
       [&](int bit) { visit(word * BitRows::BitsOfWord + bit, owned, bit); });
   }
@@ -217,7 +217,7 @@ struct RowIds
   std::array<const Id*, vtkIsotable::MaximumNumberOfSlots> Slots{};
 };
 
-struct ContourLocal : RowNotes
+struct ContourLocal : RowResults
 {
   std::vector<std::uint32_t> Columns;
   std::vector<std::uint8_t> Keys;
@@ -254,7 +254,7 @@ public:
     const Around around = this->Bits.GetAround(row);
     RowCount& count = this->Offsets[row + 1];
     count.Points =
-      BitKernels::CountOwned(around.GetOwners().data(), this->Nx, around.Kinds.IsAny());
+      BitKernels::CountOwnedPoints(around.GetOwners().data(), this->Nx, around.Kinds.IsAny());
     if (around.HasCells)
     {
       count.Simplices = this->CountCells(local, around);
@@ -321,7 +321,7 @@ private:
       [&](vtkIdType column, const vtkIsotable::Case& found, TieCaseCache::Tied* tied)
       {
         const std::size_t number = tied ? tied->Cut.GetSimplices().size() : found.Simplices.size();
-        local.Report.CollapsedSimplices += tied ? tied->Cut.GetNumberCollapsed() : 0;
+        local.Report.CollapsedSimplices += tied ? tied->Cut.GetNumberOfCollapsedSimplices() : 0;
         local.Report.CellsWithOutput += number > 0;
         local.Report.FoldedCells +=
           number > 0 && this->Orientation.IsFolded(this->Rows, firstPoint + column);
@@ -477,7 +477,7 @@ private:
         {
           this->NoteTied(local, *tied, triangle);
         }
-        this->Mesh.NoteSimplices(triangle, triangles.size(), 0, firstCell + column);
+        this->Mesh.SetSimplexOrigins(triangle, triangles.size(), 0, firstCell + column);
         triangle += static_cast<vtkIdType>(triangles.size());
       });
     const bool marks = this->MarksUsed &&
@@ -519,7 +519,7 @@ private:
 };
 }
 
-bool RowContour::IsSuited(const ExtractionContext& context)
+bool RowContour::IsApplicable(const ExtractionContext& context)
 {
   return context.Values->GetKind() == vtkIsotable::CONTOUR &&
     context.Values->GetItems().size() == 1 && !context.InteriorFilter &&

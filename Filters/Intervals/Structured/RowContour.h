@@ -22,7 +22,7 @@ class RowContour
 {
 public:
   /// Returns true if this class can run the extraction. The window must not have blanked cells.
-  static bool IsSuited(const ExtractionContext& context);
+  static bool IsApplicable(const ExtractionContext& context);
 
   /// Extracts the cells of a window. Returns false if the user aborted.
   static bool Execute(ExtractionContext& context, const int dimensions[3],

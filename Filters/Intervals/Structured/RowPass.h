@@ -6,7 +6,7 @@
 #include "Arrays/PointArrays.h"
 #include "Cuts/TieCaseCache.h"
 #include "Grid/RowIndex.h"
-#include "Pass/ExtractionFrame.h"
+#include "Pass/ExtractionStages.h"
 #include "Structured/RowCount.h"
 #include "Structured/SlotLocation.h"
 
@@ -24,7 +24,7 @@ namespace interlume
 /**
  * Results that a thread collects during a structured extraction.
  */
-struct RowNotes
+struct RowResults
 {
   interlume::TieCaseCache TieCaseCache;
   std::vector<vtkIdType> TiedTriangles;
@@ -36,23 +36,23 @@ struct RowNotes
  * @class   RowPass
  * @brief   base class of the row-by-row extractions from structured grids
  *
- * \a Local must derive from RowNotes.
+ * \a Local must derive from RowResults.
  */
 template <typename Pass, typename Local>
-class RowPass : public ExtractionFrame<Pass, Local>
+class RowPass : public ExtractionStages<Pass, Local>
 {
 public:
   static constexpr std::array<double, 4> Progress = { { 0.05, 0.4, 0.4, 0.8 } };
 
   bool Execute()
   {
-    return this->ExtractionFrame<Pass, Local>::Execute(this->Rows.GetNumberOfRows());
+    return this->ExtractionStages<Pass, Local>::Execute(this->Rows.GetNumberOfRows());
   }
 
 protected:
   RowPass(const ExtractionContext& context, const int dimensions[3], const GridCellRange& window,
     ExtractionMesh& mesh)
-    : ExtractionFrame<Pass, Local>(context)
+    : ExtractionStages<Pass, Local>(context)
     , Mesh(mesh)
     , Table(vtkIsotable::Get(context.Values->GetKind(), vtkIsotable::HEXAHEDRON))
     , Ranks(SlotLocation::FindRanks(Table))
@@ -96,7 +96,7 @@ protected:
     }
     vtkSMPTools::Sort(this->Mesh.TiedTriangles.begin(), this->Mesh.TiedTriangles.end());
     vtkSMPTools::Sort(this->Mesh.TiedSimplices.begin(), this->Mesh.TiedSimplices.end());
-    this->Context.NoteWorkingBytes(bytes + this->Offsets.capacity() * sizeof(RowCount) +
+    this->Context.UpdatePeakWorkingBytes(bytes + this->Offsets.capacity() * sizeof(RowCount) +
       this->Mesh.Points.GetBytes() + this->Mesh.Used.GetBytes());
   }
 

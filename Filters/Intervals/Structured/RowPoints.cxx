@@ -60,7 +60,7 @@ RowPoints::RowPoints(ExtractionContext& context, const RowIndex& rows, const Gri
   for (int code = 0; code <= this->Values.GetNonFiniteCode(); ++code)
   {
     this->PointsBelow.push_back(
-      this->PointsBelow.back() + this->Values.IsPoint(static_cast<Code>(code)));
+      this->PointsBelow.back() + this->Values.IsOutputPoint(static_cast<Code>(code)));
   }
 }
 
@@ -125,7 +125,7 @@ const RowPoints::Owners& RowPoints::GetOwners(Local& local, vtkIdType j, vtkIdTy
   {
     offsets.resize(this->Nx);
   }
-  this->CountOwned(rows, owners);
+  this->CountOwnedPoints(rows, owners);
   ExtractionKernels::FillStarts(owners.Counts.data() + owners.Range.First,
     owners.Range.Last - owners.Range.First, owners.Starts.data() + owners.Range.First);
   return owners;
@@ -151,7 +151,7 @@ vtkIdType RowPoints::Count(Local& local, vtkIdType j, vtkIdType k) const
   const vtkIdType number = range.Last - range.First;
   const Code* const codes[] = { rows[0]->Codes + range.First, rows[1]->Codes + range.First,
     rows[2]->Codes + range.First };
-  const vtkIdType points = this->CountOwnPoints(*rows[0], codes[0], number);
+  const vtkIdType points = this->CountGridPoints(*rows[0], codes[0], number);
   if (rows[0]->IsFinite && rows[1]->IsFinite && rows[2]->IsFinite)
   {
     return points + RowKernels::CountCrossings(codes[0], codes[1], codes[2], number);
@@ -168,7 +168,7 @@ vtkIdType RowPoints::Count(Local& local, vtkIdType j, vtkIdType k) const
 }
 
 // Returns the number of grid points of a row that are output points.
-vtkIdType RowPoints::CountOwnPoints(const CodeRow& row, const Code* codes, vtkIdType number) const
+vtkIdType RowPoints::CountGridPoints(const CodeRow& row, const Code* codes, vtkIdType number) const
 {
   const int points = this->CountPointCodes(row);
   if (points == 0 || points == row.Maximum + 1 - row.Minimum)
@@ -176,7 +176,7 @@ vtkIdType RowPoints::CountOwnPoints(const CodeRow& row, const Code* codes, vtkId
     return points == 0 ? 0 : number;
   }
   return std::count_if(
-    codes, codes + number, [this](Code code) { return this->Values.IsPoint(code); });
+    codes, codes + number, [this](Code code) { return this->Values.IsOutputPoint(code); });
 }
 
 // Returns how many of the codes from the minimum to the maximum of a row make a grid point an
@@ -186,7 +186,7 @@ int RowPoints::CountPointCodes(const CodeRow& row) const
   return this->PointsBelow[row.Maximum + 1] - this->PointsBelow[row.Minimum];
 }
 
-void RowPoints::CountOwned(const std::array<const CodeRow*, 3>& rows, Owners& owners) const
+void RowPoints::CountOwnedPoints(const std::array<const CodeRow*, 3>& rows, Owners& owners) const
 {
   const vtkIdType begin = owners.Range.First;
   const vtkIdType number = owners.Range.Last - begin;
@@ -200,7 +200,7 @@ void RowPoints::CountOwned(const std::array<const CodeRow*, 3>& rows, Owners& ow
   this->FindPoints(*rows[0], here, number, first);
   if (rows[0]->IsFinite && rows[1]->IsFinite && rows[2]->IsFinite)
   {
-    RowKernels::CountOwned(here, alongJ, alongK, number, first, second, third, all);
+    RowKernels::CountOwnedPoints(here, alongJ, alongK, number, first, second, third, all);
     return;
   }
   for (vtkIdType i = 0; i < number; ++i)
@@ -224,7 +224,7 @@ void RowPoints::FindPoints(
   }
   for (vtkIdType i = 0; i < number; ++i)
   {
-    arePoints[i] = this->Values.IsPoint(codes[i]);
+    arePoints[i] = this->Values.IsOutputPoint(codes[i]);
   }
 }
 

@@ -83,8 +83,8 @@ public:
   {
     const Code front = rows[0]->Codes[0];
     const Code back = rows[0]->Codes[this->Nx - 1];
-    bool isFrontEmpty = !this->Values.IsPoint(front);
-    bool isBackEmpty = !this->Values.IsPoint(back);
+    bool isFrontEmpty = !this->Values.IsOutputPoint(front);
+    bool isBackEmpty = !this->Values.IsOutputPoint(back);
     ColumnRange range{ this->Nx, -1 };
     for (const CodeRow* row : rows)
     {
@@ -116,9 +116,9 @@ public:
 
 private:
   std::array<const CodeRow*, 3> GetOwnerCodes(Local& local, vtkIdType j, vtkIdType k) const;
-  vtkIdType CountOwnPoints(const CodeRow& row, const Code* codes, vtkIdType number) const;
+  vtkIdType CountGridPoints(const CodeRow& row, const Code* codes, vtkIdType number) const;
   int CountPointCodes(const CodeRow& row) const;
-  void CountOwned(const std::array<const CodeRow*, 3>& rows, Owners& owners) const;
+  void CountOwnedPoints(const std::array<const CodeRow*, 3>& rows, Owners& owners) const;
   void FindPoints(const CodeRow& row, const Code* codes, vtkIdType number, Code* arePoints) const;
 
   ExtractionContext& Context;

@@ -31,7 +31,7 @@ public:
   using Slot = vtkIsotable::Slot;
 
   /// The previous cell inside an interval in a row of cells.
-  struct CellInside
+  struct InsideCell
   {
     vtkIdType Column = -1;
     vtkIdType Corners[8] = {};
@@ -92,7 +92,7 @@ public:
 
   /// Writes the output of a cell with merged slots. Appends the indices of its boundary triangles
   /// to \a tiedTriangles, and those of its simplices that lie in a face to \a tiedSimplices.
-  void WriteTied(const CellRow& row, vtkIdType i, int item, MergedCut& cut, RowCount& position,
+  void WriteTiedCell(const CellRow& row, vtkIdType i, int item, MergedCut& cut, RowCount& position,
     std::vector<vtkIdType>& tiedSimplices, std::vector<vtkIdType>& tiedTriangles)
   {
     const auto& what = this->Values.GetItems()[item];
@@ -124,13 +124,13 @@ public:
 
   /// Writes the cells [first, last), which are inside an interval and have no boundary triangles.
   void WriteInside(const CellRow& row, vtkIdType first, vtkIdType last, int item,
-    const vtkIsotable::Case& found, CellInside& before, RowCount& position)
+    const vtkIsotable::Case& found, InsideCell& before, RowCount& position)
   {
     while (first < last)
     {
       this->WriteInside(row, first, item, found, before, position);
       const vtkIdType next =
-        this->Orientation.IsPerCell() ? first + 1 : FindBreak(row, first, last);
+        this->Orientation.IsPerCell() ? first + 1 : FindRunEnd(row, first, last);
       this->WriteRun(row, first + 1, next, item, found.Simplices.size(), before, position);
       first = next;
     }
@@ -170,7 +170,7 @@ private:
   {
     this->Mesh.Simplices.Write(
       position.Simplices, simplices.data(), simplices.size(), ids, isInverted);
-    this->Mesh.NoteSimplices(position.Simplices, simplices.size(), item, row.FirstCell + i);
+    this->Mesh.SetSimplexOrigins(position.Simplices, simplices.size(), item, row.FirstCell + i);
     position.Simplices += static_cast<vtkIdType>(simplices.size());
   }
 
@@ -186,7 +186,7 @@ private:
   // the id of the same corner of the previous cell by 1. Then the point ids of the simplices also
   // increase by 1.
   void WriteInside(const CellRow& row, vtkIdType i, int item, const vtkIsotable::Case& found,
-    CellInside& before, RowCount& position)
+    InsideCell& before, RowCount& position)
   {
     const bool isInverted = this->Orientation.IsInverted(this->Rows, row.FirstPoint + i);
     bool isNext = before.Column + 1 == i && before.IsInverted == isInverted;
@@ -205,14 +205,14 @@ private:
       return;
     }
     const std::size_t number = found.Simplices.size();
-    this->Mesh.Simplices.WriteNext(position.Simplices, number, 1);
-    this->Mesh.NoteSimplices(position.Simplices, number, item, row.FirstCell + i);
+    this->Mesh.Simplices.WriteIncrementedCopies(position.Simplices, number, 1);
+    this->Mesh.SetSimplexOrigins(position.Simplices, number, item, row.FirstCell + i);
     position.Simplices += static_cast<vtkIdType>(number);
   }
 
   // Returns the end of the range of cells that starts at \a first and in which the corner ids
   // increase by 1 from cell to cell.
-  static vtkIdType FindBreak(const CellRow& row, vtkIdType first, vtkIdType last)
+  static vtkIdType FindRunEnd(const CellRow& row, vtkIdType first, vtkIdType last)
   {
     // Vertices 0, 2, 4 and 6 are at column i, one in each of the four rows of points.
     const std::uint32_t* starts[4];
@@ -237,15 +237,15 @@ private:
   // Writes the cells [first, last), which follow the cell \a before inside the interval. The corner
   // ids increase by 1 from cell to cell.
   void WriteRun(const CellRow& row, vtkIdType first, vtkIdType last, int item, std::size_t number,
-    CellInside& before, RowCount& position)
+    InsideCell& before, RowCount& position)
   {
     const vtkIdType length = last - first;
     if (length == 0)
     {
       return;
     }
-    this->Mesh.Simplices.WriteNext(position.Simplices, number, length);
-    this->Mesh.NoteRun(position.Simplices, number, length, item, row.FirstCell + first);
+    this->Mesh.Simplices.WriteIncrementedCopies(position.Simplices, number, length);
+    this->Mesh.SetRunOrigins(position.Simplices, number, length, item, row.FirstCell + first);
     position.Simplices += static_cast<vtkIdType>(number) * length;
     before.Column += length;
     // The last cell also uses the points of the next column. Each row of points contains two

@@ -64,7 +64,7 @@ public:
 private:
   bool IsBlanked(const CellRow& around, vtkIdType i) const
   {
-    if (this->Context.IsCellLeftOut(around.FirstCell + i))
+    if (this->Context.IsCellSkipped(around.FirstCell + i))
     {
       return true;
     }
@@ -348,9 +348,9 @@ bool StructuredExtraction::Execute(
   GridCellRange window(dimensions);
   const vtkIdType cells = window.GetNumberOfCells();
   // With an index, CodePass needs the full grid because the index returns columns of the full grid.
-  const bool isRowContour = RowContour::IsSuited(context);
+  const bool isRowContour = RowContour::IsApplicable(context);
   const bool isBox = (!context.Index || isRowContour) && window.Shrink(context, dimensions) &&
-    !GhostCells::AreTiedOutside(context, dimensions, window);
+    !GhostCells::HaveTiesOutside(context, dimensions, window);
   window = isBox ? window : GridCellRange(dimensions);
   const vtkIdType outside = cells - window.GetNumberOfCells();
   context.Report->CellsVisited += outside;

@@ -16,7 +16,8 @@ FacePlanarity::FacePlanarity(const TimeStep& first, const TimeStep& second)
 {
 }
 
-unsigned FacePlanarity::GetPlanar(const TimeVaryingCell& cell, const SpaceTimeSlots& slots) const
+unsigned FacePlanarity::GetPlanarFaces(
+  const TimeVaryingCell& cell, const SpaceTimeSlots& slots) const
 {
   if (this->Flat)
   {

@@ -25,7 +25,7 @@ public:
   bool IsStatic() const { return this->Static; }
 
   /// Returns the planar faces as a bit mask, in the face order of SpaceTimeSlots.
-  unsigned GetPlanar(const TimeVaryingCell& cell, const SpaceTimeSlots& slots) const;
+  unsigned GetPlanarFaces(const TimeVaryingCell& cell, const SpaceTimeSlots& slots) const;
 
 private:
   bool IsPlanar(const TimeVaryingCell& cell, unsigned corners) const;

@@ -28,7 +28,8 @@ public:
   {
   }
 
-  /// Returns the result of SpaceTimeSlots::FindFlat() for each simplex of the table case \a what.
+  /// Returns the result of SpaceTimeSlots::FindFlatFacets() for each simplex of the table case \a
+  /// what.
   const std::vector<std::uint8_t>& Find(
     const SpaceTimeTable::Case& what, const SpaceTimeSlots& slots, unsigned planar)
   {
@@ -41,7 +42,7 @@ public:
       entry.Flats.clear();
       for (const SpaceTimeTable::Simplex& simplex : what.Simplices)
       {
-        entry.Flats.push_back(slots.FindFlat(simplex, planar));
+        entry.Flats.push_back(slots.FindFlatFacets(simplex, planar));
       }
     }
     return entry.Flats;

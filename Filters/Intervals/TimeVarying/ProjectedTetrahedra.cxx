@@ -63,7 +63,8 @@ struct ProjectedTetrahedra::Block
   vtkIdType Last;
   // Index of the first simplex, counted over all slabs.
   vtkIdType FirstIndex;
-  // Numbers of thick points and tetrahedra. AssignStart() replaces them with start indices.
+  // Numbers of thick points and tetrahedra. ConvertCountsToOffsets() replaces them with start
+  // indices.
   vtkIdType ThickPoints = 0;
   vtkIdType Tetrahedra = 0;
   std::array<vtkIdType, SimplexSigns::NumberOfClasses> Classes{};
@@ -74,7 +75,7 @@ struct ProjectedTetrahedra::Block
     this->Inverted += projection.IsInverted();
     if (!projection.IsFlat())
     {
-      const SimplexSigns::Cut& cut = projection.GetSigns().GetCut();
+      const SimplexSigns::Cut& cut = projection.GetSigns().GetDecomposition();
       ++this->ThickPoints;
       this->Tetrahedra += cut.NumberOfTetrahedra;
       this->Classes[cut.Class] += cut.NumberOfTetrahedra;
@@ -136,9 +137,9 @@ bool ProjectedTetrahedra::Fill(TimeVaryingReport& report)
   }
   for (Block& block : this->Blocks)
   {
-    this->AssignStart(block, report);
+    this->ConvertCountsToOffsets(block, report);
   }
-  this->RemoveDegenerate();
+  this->RemoveGaps();
   this->AllocateTetrahedra();
   if (!this->Context.Run(blocks, 0.7, 1.0,
         [this](vtkIdType first, vtkIdType last)
@@ -151,7 +152,7 @@ bool ProjectedTetrahedra::Fill(TimeVaryingReport& report)
   {
     return false;
   }
-  this->FillOthers();
+  this->FillNonNumericArrays();
   this->Output->SetCells(VTK_TETRA, this->Cells.MakeCells());
   return true;
 }
@@ -185,7 +186,7 @@ void ProjectedTetrahedra::AllocatePoints()
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = from->GetAbstractArray(a);
-    ExtractionArrays::AddLike(from, array, to, this->MakeArray(array));
+    ExtractionArrays::AddArrayLike(from, array, to, this->MakeArray(array));
   }
   to->AddArray(this->MakeArray(this->Mesh.GetTimes()));
   this->Thickness->SetName("DeltaT");
@@ -315,7 +316,7 @@ void ProjectedTetrahedra::WritePoints(const Batch& batch, Value* values) const
 
 // Adds the counts of a block to the report and replaces them with the indices where the output of
 // the block starts.
-void ProjectedTetrahedra::AssignStart(Block& block, TimeVaryingReport& report)
+void ProjectedTetrahedra::ConvertCountsToOffsets(Block& block, TimeVaryingReport& report)
 {
   report.FlatSimplices += block.Last - block.First - block.ThickPoints;
   report.InvertedSimplices += block.Inverted;
@@ -331,7 +332,7 @@ void ProjectedTetrahedra::AssignStart(Block& block, TimeVaryingReport& report)
   this->Tetrahedra += tetrahedra;
 }
 
-void ProjectedTetrahedra::RemoveDegenerate()
+void ProjectedTetrahedra::RemoveGaps()
 {
   if (this->ThickPoints == this->Simplices)
   {
@@ -396,12 +397,12 @@ void ProjectedTetrahedra::WriteBlock(const Block& block)
             next[3] = static_cast<Id>(thickPoint);
             next += 4;
           });
-        thickPoint += signs[s].GetCut().NumberOfTetrahedra > 0 ? 1 : 0;
+        thickPoint += signs[s].GetDecomposition().NumberOfTetrahedra > 0 ? 1 : 0;
       }
     });
   for (vtkIdType s = 0; s < number; ++s)
   {
-    const SimplexSigns::Cut& cut = signs[s].GetCut();
+    const SimplexSigns::Cut& cut = signs[s].GetDecomposition();
     std::fill_n(this->Classes + tetrahedron, cut.NumberOfTetrahedra, ClassNames[cut.Class]);
     std::fill_n(this->Items + tetrahedron, cut.NumberOfTetrahedra, slab.GetItem(block.First + s));
     tetrahedron += cut.NumberOfTetrahedra;
@@ -410,7 +411,7 @@ void ProjectedTetrahedra::WriteBlock(const Block& block)
 }
 
 // Copies values that cannot be averaged from the point with the largest weight.
-void ProjectedTetrahedra::FillOthers()
+void ProjectedTetrahedra::FillNonNumericArrays()
 {
   if (this->Others.empty())
   {
@@ -422,7 +423,7 @@ void ProjectedTetrahedra::FillOthers()
     for (vtkIdType s = block.First; s < block.Last; ++s)
     {
       const vtkIdType index = block.FirstIndex + s - block.First;
-      if (this->Signs[index].GetCut().NumberOfTetrahedra > 0)
+      if (this->Signs[index].GetDecomposition().NumberOfTetrahedra > 0)
       {
         const vtkIdType heaviest = block.TheSlab->Simplices[s][this->Heaviest[index]];
         for (vtkAbstractArray* array : this->Others)

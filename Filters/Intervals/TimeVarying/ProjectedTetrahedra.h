@@ -61,11 +61,11 @@ private:
   void ProjectBlock(Block& block);
   template <typename Value>
   void WritePoints(const Batch& batch, Value* values) const;
-  void AssignStart(Block& block, TimeVaryingReport& report);
-  void RemoveDegenerate();
+  void ConvertCountsToOffsets(Block& block, TimeVaryingReport& report);
+  void RemoveGaps();
   void AllocateTetrahedra();
   void WriteBlock(const Block& block);
-  void FillOthers();
+  void FillNonNumericArrays();
 
   const ExtractionContext& Context;
   const TimeVaryingMesh& Mesh;

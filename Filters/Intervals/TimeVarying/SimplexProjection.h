@@ -59,9 +59,9 @@ public:
   bool IsInverted() const { return this->Signs.IsInverted(); }
 
   /// Returns 0 ... 5 for the classes 1, 2, 3a, 3b, 4, 5. Degenerate simplices have no class.
-  int GetClass() const { return this->Signs.GetCut().Class; }
+  int GetClass() const { return this->Signs.GetDecomposition().Class; }
 
-  int GetNumberOfTetrahedra() const { return this->Signs.GetCut().NumberOfTetrahedra; }
+  int GetNumberOfTetrahedra() const { return this->Signs.GetDecomposition().NumberOfTetrahedra; }
 
   /// Returns the extent of the simplex along the fourth coordinate at the thick point.
   double GetThickness() const { return this->Thickness; }
@@ -79,7 +79,7 @@ public:
   {
     // The thick point lies on both the positive and the negative face. The face with fewer points
     // causes fewer rounding errors, and none if it is a single point.
-    const SimplexSigns::Cut& cut = this->Signs.GetCut();
+    const SimplexSigns::Cut& cut = this->Signs.GetDecomposition();
     x[0] = x[1] = x[2] = 0.0;
     for (int m = 0; m < cut.NumberOfMeanPoints; ++m)
     {

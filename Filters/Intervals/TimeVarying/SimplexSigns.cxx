@@ -78,7 +78,7 @@ constexpr SimplexSigns::Cut MakeCut(const Signs& signs)
 }
 }
 
-constexpr SimplexSigns::CutArray SimplexSigns::MakeCuts()
+constexpr SimplexSigns::CutArray SimplexSigns::MakeDecompositions()
 {
   CutArray cuts;
   for (unsigned int bits = 0; bits < InvertedBit; ++bits)
@@ -99,6 +99,6 @@ constexpr SimplexSigns::CutArray SimplexSigns::MakeCuts()
   return cuts;
 }
 
-const SimplexSigns::CutArray SimplexSigns::Cuts = SimplexSigns::MakeCuts();
+const SimplexSigns::CutArray SimplexSigns::Cuts = SimplexSigns::MakeDecompositions();
 
 }

@@ -57,7 +57,7 @@ public:
   }
   bool IsInverted() const { return (this->Bits & InvertedBit) != 0; }
 
-  const Cut& GetCut() const { return Cuts[this->Bits & (InvertedBit - 1)]; }
+  const Cut& GetDecomposition() const { return Cuts[this->Bits & (InvertedBit - 1)]; }
 
   /**
    * Calls visit(a, b, c) for each tetrahedron, which consists of the points a, b, c and the thick
@@ -66,7 +66,7 @@ public:
   template <typename Visitor>
   void ForEachTetrahedron(Visitor&& visit) const
   {
-    const Cut& cut = this->GetCut();
+    const Cut& cut = this->GetDecomposition();
     const int first = this->IsInverted() ? 1 : 0;
     for (int t = 0; t < cut.NumberOfTetrahedra; ++t)
     {
@@ -78,7 +78,7 @@ public:
 private:
   static constexpr unsigned int InvertedBit = 1u << (2 * NumberOfPoints);
   using CutArray = std::array<Cut, InvertedBit>;
-  static constexpr CutArray MakeCuts();
+  static constexpr CutArray MakeDecompositions();
   static const CutArray Cuts;
 
   std::uint16_t Bits = 0;

@@ -3,7 +3,7 @@
 
 #include "Common/GridCells.h"
 #include "Grid/CornerOrder.h"
-#include "Pass/ExtractionFrame.h"
+#include "Pass/ExtractionStages.h"
 #include "Scalars/ExtractionScalars.h"
 #include "TimeVarying/SimplexSliceTable.h"
 #include "TimeVarying/SliceChunk.h"
@@ -137,10 +137,10 @@ private:
 
 // Stored is the value type of the cell array.
 template <typename Stored>
-class SlicePass : public ExtractionFrame<SlicePass<Stored>, SliceChunkBuilder<Stored>>
+class SlicePass : public ExtractionStages<SlicePass<Stored>, SliceChunkBuilder<Stored>>
 {
   using Builder = SliceChunkBuilder<Stored>;
-  using Frame = ExtractionFrame<SlicePass<Stored>, Builder>;
+  using Frame = ExtractionStages<SlicePass<Stored>, Builder>;
 
 public:
   static constexpr std::array<double, 4> Progress = { { 0.05, 0.4, 0.5, 0.8 } };
@@ -374,7 +374,7 @@ private:
     const Code first = intersection == Intersection::Begins || intersection == Intersection::InSlice
       ? AboveValue
       : AtValue;
-    const Case& what = this->Cases[simplex.FindAbove(first)];
+    const Case& what = this->Cases[simplex.FindVerticesAtLeast(first)];
     SlicePoint points[6];
     for (int slot = 0; slot < what.NumberOfSlots; ++slot)
     {

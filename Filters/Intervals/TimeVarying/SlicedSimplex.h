@@ -84,7 +84,7 @@ public:
   bool IsInverted() const { return this->IsOdd; }
 
   /// Returns the vertices whose code is at least \a first, as a bit mask.
-  unsigned int FindAbove(Code first) const
+  unsigned int FindVerticesAtLeast(Code first) const
   {
     unsigned int above = 0;
     for (int v = 0; v < Size; ++v)

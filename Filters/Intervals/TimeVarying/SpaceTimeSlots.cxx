@@ -74,7 +74,7 @@ SpaceTimeSlots::SpaceTimeSlots(vtkIsotable::Shapes shape)
   }
 }
 
-std::uint8_t SpaceTimeSlots::FindFlat(const Simplex& simplex, unsigned planar) const
+std::uint8_t SpaceTimeSlots::FindFlatFacets(const Simplex& simplex, unsigned planar) const
 {
   constexpr unsigned all = 31;
   unsigned support[5];

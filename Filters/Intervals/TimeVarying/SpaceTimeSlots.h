@@ -56,7 +56,7 @@ public:
    * or all four above a planar face. Bit f of \a planar must be set if face f of the cell is
    * planar.
    */
-  std::uint8_t FindFlat(const Simplex& simplex, unsigned planar) const;
+  std::uint8_t FindFlatFacets(const Simplex& simplex, unsigned planar) const;
 
   /// Returns true if all points of a simplex are above the same face of the cell.
   bool IsAboveFace(const Simplex& simplex) const

@@ -107,7 +107,7 @@ public:
 
   /// Appends the cells in [first, last) that an interval may intersect to \a near, and counts the
   /// skipped cells.
-  void FindIntersected(
+  void FindIntersectedCells(
     vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
     constexpr vtkIdType blockSize = 512;
@@ -204,9 +204,9 @@ public:
   }
 
   ///@{
-  /// Compute and free the point marks that FindIntersected() uses, and return their size in bytes.
-  /// The mark of a point is the union of its marks at both steps. MakeMarks() returns false if the
-  /// user aborted.
+  /// Compute and free the point marks that FindIntersectedCells() uses, and return their size in
+  /// bytes. The mark of a point is the union of its marks at both steps. MakeMarks() returns false
+  /// if the user aborted.
   bool MakeMarks(const ExtractionContext& context)
   {
     return context.Run(this->Steps[0]->GetNumberOfPoints(), 0.1, 0.2,
@@ -230,12 +230,12 @@ public:
     }
   }
 
-  void FindIntersected(
+  void FindIntersectedCells(
     vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
     if (this->Cells.IsUniform() && !this->HasBlanking())
     {
-      this->Cells.ForEachMarks(first, last, this->Marks.GetData(),
+      this->Cells.ForEachMarkUnion(first, last, this->Marks.GetData(),
         [&](vtkIdType id, PointMarks::Mark all)
         {
           report.NonFiniteCells += PointMarks::IsNonFinite(all);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/TimeVaryingCut.h"
 
-#include "Cuts/ExtractionCell.h"
+#include "Cuts/CoincidentSlots.h"
 #include "Output/OppositePairs.h"
 
 #include "vtkTimeVaryingSettings.h"
@@ -47,7 +47,7 @@ void TimeVaryingCut::Compute(const SpaceTimeTable& table, const SpaceTimeSlots& 
   table.CutMerged(what, ranks, same,
     [this](const Simplex& simplex)
     {
-      if (!ExtractionCell::IsCollapsed(simplex.data(), 5))
+      if (!CoincidentSlots::IsCollapsed(simplex.data(), 5))
       {
         this->Simplices.push_back(simplex);
       }
@@ -61,7 +61,7 @@ void TimeVaryingCut::Compute(const SpaceTimeTable& table, const SpaceTimeSlots& 
 
 void TimeVaryingCut::Add(int kind, int number, const Slot* points, bool isReversed)
 {
-  if (ExtractionCell::IsCollapsed(points, number))
+  if (CoincidentSlots::IsCollapsed(points, number))
   {
     return;
   }

@@ -2,7 +2,7 @@
 #include "TimeVarying/TimeVaryingExtraction.h"
 
 #include "TimeVarying/TimeVaryingReport.h"
-#include "Pass/ExtractionFrame.h"
+#include "Pass/ExtractionStages.h"
 #include "Scalars/ExtractionScalars.h"
 #include "SpaceTime/SpaceTimeTable.h"
 #include "TimeVarying/FacePlanarity.h"
@@ -180,8 +180,9 @@ public:
     const SpaceTimeTable::RankArray ranks = table.GetSlotRanks(vertexRanks);
     if (cut.IsMerged)
     {
-      const Case& inside =
-        item.IsFlat ? local.GetCase(cell.Shape, ExtractionCell::GetKeyInside(2 * corners)) : what;
+      const Case& inside = item.IsFlat
+        ? local.GetCase(cell.Shape, CoincidentSlots::GetAllInsideKey(2 * corners))
+        : what;
       cut.Merged.Compute(table, this->Slots[cell.Shape], item, cell.Codes, what, inside, ranks,
         same, this->Mesh.HasRequiredKinds() || this->Mesh.GetOptions().Settings.GenerateSimplices);
     }
@@ -288,12 +289,12 @@ public:
       return;
     }
     const SpaceTimeSlots& meaning = this->Cutter.GetSlots(cell.Shape);
-    const unsigned planar = this->Planarity.GetPlanar(cell, meaning);
+    const unsigned planar = this->Planarity.GetPlanarFaces(cell, meaning);
     const std::uint8_t* const known =
       found.IsPlain ? local.GetFlats().Find(*found.Case, meaning, planar).data() : nullptr;
     for (std::size_t s = 0; s < number; ++s)
     {
-      const std::uint8_t flat = known ? known[s] : meaning.FindFlat(simplices[s], planar);
+      const std::uint8_t flat = known ? known[s] : meaning.FindFlatFacets(simplices[s], planar);
       slab.Flats[next + s] = isInverted ? FlatFacetCache::SwapFirst(flat) : flat;
     }
   }
@@ -356,9 +357,9 @@ private:
 };
 
 template <typename Cells>
-class SlabPass : public ExtractionFrame<SlabPass<Cells>, Local>
+class SlabPass : public ExtractionStages<SlabPass<Cells>, Local>
 {
-  using Frame = ExtractionFrame<SlabPass<Cells>, Local>;
+  using Frame = ExtractionStages<SlabPass<Cells>, Local>;
 
 public:
   static constexpr std::array<double, 4> Progress = { { 0.2, 0.6, 0.6, 1.0 } };
@@ -392,7 +393,7 @@ public:
     const vtkIdType begin = number * ChunkSize;
     const vtkIdType end = std::min(begin + ChunkSize, this->NumberOfCells);
     local.Near.clear();
-    this->TheCells.FindIntersected(begin, end, local.Near, chunk.Report);
+    this->TheCells.FindIntersectedCells(begin, end, local.Near, chunk.Report);
     chunk.Report.CellsVisited = end - begin;
     Cell cell;
     for (const vtkIdType id : local.Near)
@@ -408,7 +409,7 @@ public:
       this->Steps[1]->GetScalars(), this->NumberOfPoints, this->Values);
     ExtractionBuffer<ExtractionPoint> points;
     this->Points.MakePoints(*scalars, points);
-    this->Order.SortHalfway(points.GetData(), points.GetSize(), this->NumberOfPoints);
+    this->Order.SortMidpointEnds(points.GetData(), points.GetSize(), this->NumberOfPoints);
     this->Ids = this->Mesh.AddPoints(
       *this->Steps[0], *this->Steps[1], points, this->Points, this->Writer.IsStatic());
     this->NoteReport(points.GetBytes());
@@ -560,7 +561,7 @@ private:
     {
       bytes += chunk.Cases.capacity() * sizeof(Found);
     }
-    this->Context.NoteWorkingBytes(bytes);
+    this->Context.UpdatePeakWorkingBytes(bytes);
   }
 
   const TimeStep* Steps[2];

@@ -268,12 +268,12 @@ ExtractionBuffer<vtkIdType> TimeVaryingMesh::AddPoints(const TimeStep& first,
       }
     });
   added.Truncate(number - numberShared);
-  this->FindEndPoints(points, lists, split, ids);
+  this->StoreEndPoints(points, lists, split, ids);
   this->AppendPoints(first, second, added, isStatic);
   return ids;
 }
 
-void TimeVaryingMesh::FindEndPoints(const PointList& points, const CrossingLists& lists,
+void TimeVaryingMesh::StoreEndPoints(const PointList& points, const CrossingLists& lists,
   vtkIdType split, const ExtractionBuffer<vtkIdType>& ids)
 {
   this->EndPoints.clear();
@@ -326,14 +326,14 @@ void TimeVaryingMesh::AppendPoints(
     this->Points = positions;
     this->Times = times;
     this->Arrays->ShallowCopy(arrays);
-    this->FindCoordinates();
+    this->UpdateCoordinatePointers();
     return;
   }
   const vtkIdType before = this->Points->GetNumberOfPoints();
   const vtkIdType number = positions->GetNumberOfPoints();
   this->Points->GetData()->InsertTuples(before, number, 0, positions->GetData());
   this->Points->Modified();
-  this->FindCoordinates();
+  this->UpdateCoordinatePointers();
   this->Times->InsertTuples(before, number, 0, times);
   this->AppendArrays(arrays);
 }
@@ -345,7 +345,7 @@ void TimeVaryingMesh::AppendArrays(vtkPointData* more)
   {
     vtkAbstractArray* array = this->Arrays->GetAbstractArray(a);
     vtkAbstractArray* added = more->GetAbstractArray(array->GetName());
-    if (ExtractionArrays::IsCompatible(array, added))
+    if (ExtractionArrays::AreCompatible(array, added))
     {
       array->InsertTuples(before, added->GetNumberOfTuples(), 0, added);
     }
@@ -381,7 +381,7 @@ vtkIdType TimeVaryingMesh::RemoveOppositeSimplices(const std::vector<vtkIdType>&
   return isAny ? RemoveMarked(slab, isRemoved) : 0;
 }
 
-vtkIdType TimeVaryingMesh::RemoveOppositeAtSteps()
+vtkIdType TimeVaryingMesh::RemoveOppositeSimplicesAtSteps()
 {
   std::vector<Entry> entries;
   std::size_t first = 0;
@@ -421,7 +421,7 @@ bool TimeVaryingMesh::IsAtOneTime(const Simplex& simplex) const
     [this, time](vtkIdType id) { return this->Times->GetValue(id) == time; });
 }
 
-void TimeVaryingMesh::SettleTiedBoundary()
+void TimeVaryingMesh::ResolveTiedBoundary()
 {
   if (!this->HasTies || !this->Points)
   {
@@ -498,7 +498,7 @@ void TimeVaryingMesh::SettleTiedBoundary()
   this->Boundary.resize(retained);
 }
 
-void TimeVaryingMesh::FindCoordinates()
+void TimeVaryingMesh::UpdateCoordinatePointers()
 {
   vtkFloatArray* floats = vtkFloatArray::SafeDownCast(this->Points->GetData());
   vtkDoubleArray* doubles = vtkDoubleArray::SafeDownCast(this->Points->GetData());
@@ -506,7 +506,7 @@ void TimeVaryingMesh::FindCoordinates()
   this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
 }
 
-void TimeVaryingMesh::SettleStepVolume()
+void TimeVaryingMesh::CleanStepVolume()
 {
   using TetrahedronEntry = OppositePairs::Entry<vtkIdType, 5>;
   std::vector<TetrahedronEntry> entries(this->StepVolume.size());
@@ -617,10 +617,10 @@ void TimeVaryingMesh::RemoveUnusedPoints()
   for (int a = 0; a < this->Arrays->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = this->Arrays->GetAbstractArray(a);
-    ExtractionArrays::AddLike(this->Arrays, array, arrays, extract(array));
+    ExtractionArrays::AddArrayLike(this->Arrays, array, arrays, extract(array));
   }
   this->Arrays->ShallowCopy(arrays);
-  this->FindCoordinates();
+  this->UpdateCoordinatePointers();
 }
 
 std::size_t TimeVaryingMesh::GetBytes() const

@@ -126,7 +126,7 @@ public:
   /// opposite orientation, even if one belongs to the slab before the step and the other to the
   /// slab after it. Applies only if 4-simplices are requested. Returns the number of removed
   /// 4-simplices.
-  vtkIdType RemoveOppositeAtSteps();
+  vtkIdType RemoveOppositeSimplicesAtSteps();
 
   /**
    * Decides which boundary cells to keep where values equal a bound. Call this after all slabs were
@@ -134,11 +134,11 @@ public:
    * of a surface in time is kept if it is a face of a 4-simplex, and a remaining triangle if it is
    * a face of the volume at its step. Faces with opposite orientation cancel each other.
    */
-  void SettleTiedBoundary();
+  void ResolveTiedBoundary();
 
   /// Removes duplicates among the tetrahedra added by AddStepVolume(), and pairs with the same
   /// points and opposite orientation. Both slabs adjacent to a step may add the same tetrahedron.
-  void SettleStepVolume();
+  void CleanStepVolume();
 
   /// Removes the output of cells of other pieces, and the points that only this output uses. Call
   /// this last. Returns the number of removed 4-simplices.
@@ -219,7 +219,7 @@ private:
   }
 
   // Stores the points at the second step for the next slab.
-  void FindEndPoints(const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists,
+  void StoreEndPoints(const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists,
     vtkIdType split, const ExtractionBuffer<vtkIdType>& ids);
 
   void AppendPoints(const TimeStep& first, const TimeStep& second,
@@ -227,7 +227,7 @@ private:
   void AppendArrays(vtkPointData* more);
   bool IsAtOneTime(const Simplex& simplex) const;
   void RemoveUnusedPoints();
-  void FindCoordinates();
+  void UpdateCoordinatePointers();
 
   TimeVaryingOptions Options;
   std::array<bool, vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS> RequiredKinds{};

@@ -112,7 +112,7 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
     this->Warn(this->DescribeStep() +
       " has the same time as the previous step. The slab between them is skipped.");
   }
-  this->NoteEmptiness();
+  this->UpdateEmptyDiagnosis();
   if (hasSlab)
   {
     RefinementLevels::Count(input, this->Intervals, this->FindArray, this->Report);
@@ -124,7 +124,7 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   return error;
 }
 
-void TimeVaryingRun::WarnOfNonFinite(const TimeStep& step, vtkDataSet* input)
+void TimeVaryingRun::WarnAboutNonFinitePoints(const TimeStep& step, vtkDataSet* input)
 {
   const std::string warning =
     this->HasNonFiniteWarning ? std::string() : step.DescribeNonFinite(input);
@@ -135,7 +135,7 @@ void TimeVaryingRun::WarnOfNonFinite(const TimeStep& step, vtkDataSet* input)
   }
 }
 
-void TimeVaryingRun::NoteEmptiness()
+void TimeVaryingRun::UpdateEmptyDiagnosis()
 {
   if (this->Report.Simplices > 0)
   {
@@ -194,7 +194,7 @@ Error TimeVaryingRun::AddLeafStep(
     this->Warn(ExtractionInput::CheckPolyhedra(step->GetNumberOfConcave()));
     this->Warn(ExtractionInput::CheckPrecision(input, this->Options.Precision));
   }
-  this->WarnOfNonFinite(*step, input);
+  this->WarnAboutNonFinitePoints(*step, input);
   const ExtractionContext context = this->MakeContext();
   const double slabs = static_cast<double>(this->Times.size()) - 1.0;
   const double leaves = static_cast<double>(this->Leaves.size());
@@ -209,7 +209,7 @@ Error TimeVaryingRun::AddLeafStep(
   if (leaf.Before && step->GetTime() > leaf.Before->GetTime())
   {
     this->Report.Cells += step->GetNumberOfInputCells();
-    const vtkIdType foldedInRows = ExtractionInput::CountFoldedInRows(step->GetGrid());
+    const vtkIdType foldedInRows = ExtractionInput::CountFoldedRectilinearCells(step->GetGrid());
     this->FoldedInRows += foldedInRows;
     this->Report.FoldedCells += foldedInRows;
     this->Warn(ExtractionInput::CheckFolding(step->GetGrid(), foldedInRows));
@@ -244,7 +244,7 @@ bool TimeVaryingRun::FillOutputs(
   {
     bytes += leaf->Mesh.GetBytes();
   }
-  context.NoteWorkingBytes(bytes);
+  context.UpdatePeakWorkingBytes(bytes);
   this->Owner->SetProgressText("Generating the outputs");
   double filled = 0.0;
   for (std::unique_ptr<Leaf>& leaf : this->Leaves)
@@ -253,9 +253,10 @@ bool TimeVaryingRun::FillOutputs(
     this->Owner->SetProgressShiftScale(ExtractionFraction + filled++ * fraction, fraction);
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
-    leaf->Mesh.SettleTiedBoundary();
-    leaf->Mesh.SettleStepVolume();
-    this->Report.Simplices -= leaf->Mesh.RemoveOppositeAtSteps() + leaf->Mesh.RemoveDuplicates();
+    leaf->Mesh.ResolveTiedBoundary();
+    leaf->Mesh.CleanStepVolume();
+    this->Report.Simplices -=
+      leaf->Mesh.RemoveOppositeSimplicesAtSteps() + leaf->Mesh.RemoveDuplicates();
     const TimeVaryingMesh& mesh = leaf->Mesh;
     ExtractionArrays::ActivateScalars(leaf->ScalarsKey.c_str(), mesh.GetArrays());
     ArrayMatch::RemoveKeys(mesh.GetArrays());

@@ -61,7 +61,7 @@ public:
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
   /// Returns the object that explains an empty output. Call this after the last step.
-  EmptyOutputDiagnosis& GetEmptyResult() { return this->Empty; }
+  EmptyOutputDiagnosis& GetEmptyOutputDiagnosis() { return this->Empty; }
 
   /// Gives a composite output the block structure of the input.
   static void CopyStructure(vtkDataObject* input, vtkDataObject* output);
@@ -82,8 +82,8 @@ private:
 
   ExtractionContext MakeContext();
   Error AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
-  void WarnOfNonFinite(const TimeStep& step, vtkDataSet* input);
-  void NoteEmptiness();
+  void WarnAboutNonFinitePoints(const TimeStep& step, vtkDataSet* input);
+  void UpdateEmptyDiagnosis();
   Error CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
   std::string DescribeStep() const;
   // Stores a warning unless it is empty or already stored.

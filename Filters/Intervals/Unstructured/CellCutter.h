@@ -59,7 +59,7 @@ public:
     const bool isPlain = cell.IsAscending && !isMerged;
     cut = isPlain ? ChunkCuts::GetTableCut(what, this->Kind)
                   : this->MakeCut(cell, item, what, isMerged ? same : nullptr, merged, cuts, slots);
-    collapsed += isMerged ? merged.GetNumberCollapsed() : 0;
+    collapsed += isMerged ? merged.GetNumberOfCollapsedSimplices() : 0;
     return { position, key, number, isPlain, isMerged, isInverted };
   }
 

@@ -64,7 +64,7 @@ public:
       });
   }
   std::size_t GetBytes() const { return this->Codes.GetBytes() + this->Marks.GetBytes(); }
-  void FreePoints()
+  void FreeCodesAndMarks()
   {
     this->Codes.Free();
     this->Marks.Free();
@@ -73,8 +73,8 @@ public:
   /// Finds the cells in [begin, end) that an item may intersect, and stores their offsets from \a
   /// begin in \a near. Cells from \a firstPassed on are always included, before the other cells of
   /// their run (see ExtractionIndex). Returns the number of cells found.
-  int FindIntersected(vtkIdType begin, vtkIdType end, vtkIdType firstPassed, std::uint16_t* near,
-    ExtractionReport& report) const
+  int FindIntersectedCells(vtkIdType begin, vtkIdType end, vtkIdType firstPassed,
+    std::uint16_t* near, ExtractionReport& report) const
   {
     constexpr vtkIdType run = ExtractionIndex::RunLength;
     const ExtractionIndex* const index = this->Context.Index;
@@ -113,7 +113,7 @@ public:
   }
 
   /// Reads the point ids of a cell, unless \a cell already holds them.
-  void ReadNext(vtkIdType id, Cell& cell) const
+  void ReadCornersIfNeeded(vtkIdType id, Cell& cell) const
   {
     if (id != cell.Id)
     {
@@ -172,7 +172,7 @@ private:
     }
     int found = numberNear;
     vtkIdType nonFinite = 0;
-    this->Cells.ForEachMarks(first, last, this->Marks.GetData(),
+    this->Cells.ForEachMarkUnion(first, last, this->Marks.GetData(),
       [&](vtkIdType id, PointMarks::Mark marks)
       {
         near[found] = static_cast<std::uint16_t>(id - begin);
@@ -185,7 +185,7 @@ private:
 
   bool IsBlanked(vtkIdType id, const CellCorners& corners) const
   {
-    if (this->Context.IsCellLeftOut(id))
+    if (this->Context.IsCellSkipped(id))
     {
       return true;
     }

@@ -47,7 +47,7 @@ public:
   }
 
   /// Returns the first cell that the previous pass copied uncut.
-  vtkIdType GetFirstPassed() const { return this->Filter.GetFirstPassed(); }
+  vtkIdType GetFirstPassedCell() const { return this->Filter.GetFirstPassedCell(); }
 
   /// Returns true if a cell with codes from \a minimum to \a maximum is copied uncut for \a item.
   /// Tetrahedra are not, because cutting them yields the same tetrahedra.
@@ -65,7 +65,7 @@ public:
     vtkIdType ids[8];
     this->Cells.GetIds(cell, corners, ids);
     return std::all_of(ids, ids + corners.NumberOfCorners,
-      [this](vtkIdType point) { return this->Filter.MayHave(point); });
+      [this](vtkIdType point) { return this->Filter.SatisfiesCriteria(point); });
   }
 
   /// Counts a cell that is copied uncut for every interval that it intersects. If the cell has to
@@ -73,7 +73,7 @@ public:
   bool Count(vtkIdType id, vtkIdType position, Chunk& chunk, CrossingLists& lists,
     CrossingLists::Arena& arena, std::vector<vtkIdType>& points) const
   {
-    if (this->Filter.IsPassed(id))
+    if (this->Filter.IsPassedThrough(id))
     {
       this->Enter(id, position, 0, chunk, lists, arena, points);
       ++chunk.Report.CellsWithOutput;
@@ -150,7 +150,7 @@ private:
   // of a polyhedron are returned for its first part only.
   unsigned char GetPoints(vtkIdType cell, std::vector<vtkIdType>& points) const
   {
-    if (this->Filter.IsPassed(cell))
+    if (this->Filter.IsPassedThrough(cell))
     {
       this->Cells.GetStored(cell, points);
       return this->Cells.GetType(cell);

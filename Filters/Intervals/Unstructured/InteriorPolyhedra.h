@@ -129,7 +129,7 @@ private:
         range.Minimum = std::min(range.Minimum, codes[id]);
         range.Maximum = std::max(range.Maximum, codes[id]);
         mayBeInterior =
-          mayBeInterior && this->Filter.MayHave(id) && !this->Context.IsPointBlanked(id);
+          mayBeInterior && this->Filter.SatisfiesCriteria(id) && !this->Context.IsPointBlanked(id);
       });
     return mayBeInterior ? range : Range{ 0, ExtractionValues::NoCode };
   }

@@ -102,7 +102,7 @@ public:
 
   /// Returns true if there is a single isovalue. The marks 1, 2 and 4 then mean below, equal and
   /// above.
-  bool AreOfOneValue() const { return this->NonFinite == 3; }
+  bool HasSingleIsovalue() const { return this->NonFinite == 3; }
   ///@{
   /// For a single isovalue: IsReached() returns true if a point's value is at least the isovalue,
   /// and HasTie() if the value of any corner equals it. \a all is the bitwise union of the marks of

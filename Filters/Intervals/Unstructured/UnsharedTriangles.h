@@ -38,7 +38,7 @@ public:
     , Reader(reader)
     , Cutter(cutter)
     , Scalars(scalars)
-    , HasOneValue(reader.GetMarks().AreOfOneValue())
+    , HasOneValue(reader.GetMarks().HasSingleIsovalue())
     , AreIdsRanks(reader.GetOrder().IsById() &&
         reader.GetNumberOfPoints() <= std::numeric_limits<std::uint32_t>::max())
   {
@@ -83,7 +83,7 @@ public:
     ExtractionPoint* const points = unshared.GetPoints();
     const std::size_t number = unshared.GetNumberOfPoints();
     this->Scalars.Place(points, static_cast<vtkIdType>(number));
-    this->Reader.GetOrder().SortHalfwayInThread(points, points + number);
+    this->Reader.GetOrder().SortMidpointEndsInThread(points, points + number);
     chunk.Unshared = this->Context.Unshared->Interpolate(
       points, number, unshared.GetCorners(), unshared.GetNumberOfCorners());
   }
@@ -108,7 +108,8 @@ private:
       key |= static_cast<unsigned>(PointMarks::IsReached(mark)) << v;
     }
     if (PointMarks::HasTie(static_cast<PointMarks::Mark>(all)) ||
-      (!cell.IsAscending && (!this->AreIdsRanks || ExtractionCell::IsCollapsed(cell.Ids, corners))))
+      (!cell.IsAscending &&
+        (!this->AreIdsRanks || CoincidentSlots::IsCollapsed(cell.Ids, corners))))
     {
       return false;
     }

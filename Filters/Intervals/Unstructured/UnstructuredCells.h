@@ -43,7 +43,7 @@ public:
     const CellCorners& first = this->GetCorners(0);
     const bool isUniform = first.Kind == CellCorners::LINEAR &&
       grid->GetCells()->GetNumberOfConnectivityIds() == cells * first.NumberOfCorners &&
-      GridCells::AreOfOneType(this->Types, cells);
+      GridCells::AreTypesEqual(this->Types, cells);
     this->Stride = isUniform ? first.NumberOfCorners : 0;
   }
 
@@ -70,7 +70,7 @@ public:
   /// Calls visit(cell, all) for the cells in [first, last) of a uniform grid, where all is the
   /// bitwise union of the marks of the cell's corners.
   template <typename Visitor>
-  void ForEachMarks(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
+  void ForEachMarkUnion(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
   {
     switch (this->Stride)
     {
@@ -122,7 +122,7 @@ public:
   unsigned char GetType(vtkIdType cell) const { return this->Types[cell]; }
 
 private:
-  static const CellCorners* GetCornersOfTypes()
+  static const CellCorners* GetCornersByType()
   {
     static const std::array<CellCorners, 256> corners = []()
     {
@@ -163,7 +163,7 @@ private:
   const Stored* Ids;
   // Number of corners of each cell of a uniform grid, otherwise 0.
   int Stride = 0;
-  const CellCorners* CornersOfType = GetCornersOfTypes();
+  const CellCorners* CornersOfType = GetCornersByType();
 };
 
 template <typename Array, typename Visitor>

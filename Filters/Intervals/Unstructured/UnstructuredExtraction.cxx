@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Unstructured/UnstructuredExtraction.h"
 
-#include "Pass/ExtractionFrame.h"
+#include "Pass/ExtractionStages.h"
 #include "Unstructured/CellCutter.h"
 #include "Unstructured/CellReader.h"
 #include "Unstructured/InteriorCells.h"
@@ -57,7 +57,7 @@ public:
     }
     this->Mesh.Simplices.Write(
       this->Simplex, cut.Simplices, cut.NumberOfSimplices, ids, found.IsInverted);
-    this->Mesh.NoteSimplices(this->Simplex, cut.NumberOfSimplices, found.Item, cell);
+    this->Mesh.SetSimplexOrigins(this->Simplex, cut.NumberOfSimplices, found.Item, cell);
     this->Simplex += static_cast<vtkIdType>(cut.NumberOfSimplices);
     for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t, ++this->Triangle)
     {
@@ -95,9 +95,9 @@ private:
 };
 
 template <typename Stored>
-class CellPass : public ExtractionFrame<CellPass<Stored>, Local>
+class CellPass : public ExtractionStages<CellPass<Stored>, Local>
 {
-  using Frame = ExtractionFrame<CellPass<Stored>, Local>;
+  using Frame = ExtractionStages<CellPass<Stored>, Local>;
 
 public:
   static constexpr std::array<double, 4> Progress = { { 0.05, 0.4, 0.5, 0.8 } };
@@ -138,9 +138,10 @@ public:
     CrossingLists::Arena* const arena = this->Points ? &this->Points->GetArena() : nullptr;
     const vtkIdType begin = number * Chunk::Size;
     const vtkIdType end = std::min(begin + Chunk::Size, this->NumberOfCells);
-    const vtkIdType passed = this->Interior ? this->Interior->GetFirstPassed() : end;
+    const vtkIdType passed = this->Interior ? this->Interior->GetFirstPassedCell() : end;
     std::uint16_t near[Chunk::Size];
-    const int numberNear = this->Reader.FindIntersected(begin, end, passed, near, chunk.Report);
+    const int numberNear =
+      this->Reader.FindIntersectedCells(begin, end, passed, near, chunk.Report);
     chunk.Cuts.Reserve(numberNear);
     if (!arena)
     {
@@ -180,7 +181,8 @@ public:
     if (this->Points)
     {
       this->Points->MakePoints(*this->Scalars, this->Mesh.Points);
-      this->Reader.GetOrder().SortHalfway(this->Mesh.Points.GetData(), this->Mesh.Points.GetSize());
+      this->Reader.GetOrder().SortMidpointEnds(
+        this->Mesh.Points.GetData(), this->Mesh.Points.GetSize());
     }
     std::size_t bytes = this->Reader.GetBytes() + (this->Points ? this->Points->GetBytes() : 0) +
       this->Mesh.Points.GetBytes();
@@ -188,8 +190,8 @@ public:
     {
       bytes += chunk.GetBytes();
     }
-    this->Context.NoteWorkingBytes(bytes);
-    this->Reader.FreePoints();
+    this->Context.UpdatePeakWorkingBytes(bytes);
+    this->Reader.FreeCodesAndMarks();
     return true;
   }
 
@@ -247,7 +249,7 @@ public:
         }
         else
         {
-          this->Reader.ReadNext(id, cell);
+          this->Reader.ReadCornersIfNeeded(id, cell);
           this->FindIds(cell, this->Values.GetItems()[found.Item], cut, ids);
         }
         writer.Write(id, shape, found, cut, ids);
@@ -343,7 +345,7 @@ private:
         this->Cutter.ForEachCut(number * Chunk::Size, this->Reader.GetCells(), chunk.Cuts,
           [&](vtkIdType id, vtkIsotable::Shapes, const ChunkCuts::Found& found, const CellCut& cut)
           {
-            this->Reader.ReadNext(id, cell);
+            this->Reader.ReadCornersIfNeeded(id, cell);
             this->EnterCut(cell, this->Values.GetItems()[found.Item], cut, chunk, arena);
           });
       });
@@ -360,7 +362,7 @@ private:
       this->Cutter.ForEachCut(begin, this->Reader.GetCells(), chunk.Cuts,
         [&](vtkIdType id, vtkIsotable::Shapes, const ChunkCuts::Found& found, const CellCut& cut)
         {
-          this->Mesh.NoteSimplices(simplex, cut.NumberOfSimplices, found.Item, id);
+          this->Mesh.SetSimplexOrigins(simplex, cut.NumberOfSimplices, found.Item, id);
           simplex += static_cast<vtkIdType>(cut.NumberOfSimplices);
         });
     }

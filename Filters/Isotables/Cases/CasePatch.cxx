@@ -73,9 +73,9 @@ CasePatch::PointList CasePatch::GetEdges(const PointSet& face) const
   return edges;
 }
 
-std::vector<PointSet> CasePatch::GetFacesOf(const PointSet& face) const
+std::vector<PointSet> CasePatch::GetFacetsOfFace(const PointSet& face) const
 {
-  return this->Hull.FacetsOf(face);
+  return this->Hull.GetFacetsOfFace(face);
 }
 
 bool CasePatch::IsPositive(const Facet& facet, const PointList& simplex) const
@@ -94,11 +94,11 @@ bool CasePatch::IsPositive(const Facet& facet, const PointList& simplex) const
   return Determinant(rows, columns, dimension) > 0;
 }
 
-CasePatch::PointList CasePatch::ChainPolygon(const PointSet& polygon) const
+CasePatch::PointList CasePatch::OrderPolygonPoints(const PointSet& polygon) const
 {
   std::vector<std::array<int, 2>> sides;
   sides.reserve(polygon.Count());
-  for (PointSet side : this->GetFacesOf(polygon))
+  for (PointSet side : this->GetFacetsOfFace(polygon))
   {
     const int first = side.GetFirst();
     side.Remove(first);
@@ -121,7 +121,7 @@ CasePatch::PointList CasePatch::ChainPolygon(const PointSet& polygon) const
 
 CasePatch::PointList CasePatch::GetPolygon(const Facet& facet) const
 {
-  PointList polygon = this->ChainPolygon(facet.HullPoints);
+  PointList polygon = this->OrderPolygonPoints(facet.HullPoints);
   if (!this->IsPositive(facet, { polygon[0], polygon[1], polygon[2] }))
   {
     std::reverse(polygon.begin(), polygon.end());
@@ -133,9 +133,9 @@ std::vector<CasePatch::PointList> CasePatch::GetFaces(const Facet& facet) const
 {
   std::vector<PointList> faces;
   faces.reserve(this->Hull.GetFacets().size());
-  for (const PointSet& face : this->GetFacesOf(facet.HullPoints))
+  for (const PointSet& face : this->GetFacetsOfFace(facet.HullPoints))
   {
-    PointList polygon = this->ChainPolygon(face);
+    PointList polygon = this->OrderPolygonPoints(face);
     const auto inside = std::find_if(facet.Points.begin(), facet.Points.end(),
       [&](int edge) { return std::find(polygon.begin(), polygon.end(), edge) == polygon.end(); });
     if (this->IsPositive(facet, { polygon[0], polygon[1], polygon[2], *inside }))

@@ -61,7 +61,7 @@ public:
   PointList GetPolygon(const Facet& facet) const;
 
   /// Returns the facets of a face of the hull, as sets of hull points.
-  std::vector<PointSet> GetFacesOf(const PointSet& face) const;
+  std::vector<PointSet> GetFacetsOfFace(const PointSet& face) const;
 
   /// Returns the cell edge that each hull point bisects, or -1 for a positive vertex.
   const std::vector<int>& GetEdgesOfHullPoints() const { return this->EdgeOfPoint; }
@@ -77,7 +77,7 @@ public:
   bool IsPositive(const Facet& facet, const PointList& simplex) const;
 
 private:
-  PointList ChainPolygon(const PointSet& polygon) const;
+  PointList OrderPolygonPoints(const PointSet& polygon) const;
 
   Polytope Cell;
   std::vector<int> EdgeOfPoint;

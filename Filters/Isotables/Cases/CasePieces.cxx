@@ -31,7 +31,7 @@ public:
     this->Neighbors.clear();
     for (const ConvexHull::Facet& facet : this->Hull.GetFacets())
     {
-      if (facet.Points != piece.HullPoints && this->Hull.IsRidge(facet.Points, piece.HullPoints))
+      if (facet.Points != piece.HullPoints && this->Hull.ShareRidge(facet.Points, piece.HullPoints))
       {
         this->Neighbors.push_back(&facet);
       }

@@ -113,7 +113,7 @@ public:
    * have in common, and \a sidesOfPolygon those of the polygon that contains the triangle.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
-  void PullSides(
+  void TriangulateSides(
     const Label* labels, bool reverse, SolidVisitor&& solid, PolygonVisitor&& polygon) const
   {
     std::uint32_t s = 0;

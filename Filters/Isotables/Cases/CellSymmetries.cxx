@@ -203,10 +203,10 @@ CellSymmetries::CellSymmetries(const Polytope& cell)
       this->Symmetries.push_back({ MoveSlots(cell, edges, images), frame.IsReflection(images) });
     }
   }
-  this->FillMovedKeys(static_cast<int>(cell.Vertices.size()));
+  this->FillTransformedKeys(static_cast<int>(cell.Vertices.size()));
 }
 
-void CellSymmetries::FillMovedKeys(int numberOfVertices)
+void CellSymmetries::FillTransformedKeys(int numberOfVertices)
 {
   const std::size_t number = this->Symmetries.size();
   this->NumberOfGroups = (numberOfVertices + GroupSize - 1) / GroupSize;
@@ -241,7 +241,7 @@ void CellSymmetries::FillMovedKeys(int numberOfVertices)
   }
 }
 
-CellSymmetries::Origin CellSymmetries::FindOrigin(std::uint32_t key) const
+CellSymmetries::Origin CellSymmetries::FindRepresentative(std::uint32_t key) const
 {
   const std::size_t number = this->Symmetries.size();
   std::vector<std::uint32_t> moved(number, 0);

@@ -49,14 +49,14 @@ public:
 
   /// Returns the smallest key in the class of \a key, and the first symmetry that maps the case of
   /// the smallest key to the case of \a key.
-  Origin FindOrigin(std::uint32_t key) const;
+  Origin FindRepresentative(std::uint32_t key) const;
 
 private:
   // Keys are processed in groups of this number of base-3 digits.
   static constexpr int GroupSize = 4;
   static constexpr int GroupCases = 81;
 
-  void FillMovedKeys(int numberOfVertices);
+  void FillTransformedKeys(int numberOfVertices);
 
   std::vector<Symmetry> Symmetries;
   int NumberOfGroups = 0;

@@ -218,7 +218,7 @@ ConvexHull::ConvexHull(int dimension, const std::vector<Point>& points)
     [](const Facet& a, const Facet& b) { return a.Points < b.Points; });
 }
 
-bool ConvexHull::IsRidge(const PointSet& a, const PointSet& b) const
+bool ConvexHull::ShareRidge(const PointSet& a, const PointSet& b) const
 {
   return MeetInRidge(this->Dimension, this->Facets, a, b);
 }
@@ -243,7 +243,7 @@ PointSet ConvexHull::SmallestFace(std::initializer_list<int> points) const
   return common;
 }
 
-std::vector<PointSet> ConvexHull::FacetsOf(const PointSet& face) const
+std::vector<PointSet> ConvexHull::GetFacetsOfFace(const PointSet& face) const
 {
   std::vector<PointSet> result;
   result.reserve(this->Facets.size());

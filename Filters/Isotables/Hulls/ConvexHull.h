@@ -43,7 +43,7 @@ public:
    * Returns whether two facets, given by their points, share a ridge (a face of dimension d - 2):
    * no third facet contains all of their common points.
    */
-  bool IsRidge(const PointSet& a, const PointSet& b) const;
+  bool ShareRidge(const PointSet& a, const PointSet& b) const;
 
   /// Returns the points of the smallest face that contains all of \a points.
   PointSet SmallestFace(std::initializer_list<int> points) const;
@@ -52,7 +52,7 @@ public:
    * Returns the facets of a face, given by its points: the maximal proper intersections of the face
    * with facets of the hull, sorted by PointSet::operator<.
    */
-  std::vector<PointSet> FacetsOf(const PointSet& face) const;
+  std::vector<PointSet> GetFacetsOfFace(const PointSet& face) const;
 
 private:
   int Dimension;

@@ -45,7 +45,7 @@ public:
   /// Returns the smallest member of a non-empty set.
   int GetFirst() const
   {
-    return this->Words[0] != 0 ? FindBit(this->Words[0]) : 64 + FindBit(this->Words[1]);
+    return this->Words[0] != 0 ? FindLowestBit(this->Words[0]) : 64 + FindLowestBit(this->Words[1]);
   }
 
   bool IsSubsetOf(const PointSet& other) const
@@ -83,7 +83,7 @@ public:
     {
       for (std::uint64_t bits = this->Words[word]; bits != 0; bits &= bits - 1)
       {
-        visit(64 * word + FindBit(bits));
+        visit(64 * word + FindLowestBit(bits));
       }
     }
   }
@@ -99,7 +99,7 @@ private:
   }
 
   // Returns the index of the lowest set bit, which is the number of bits below it.
-  static int FindBit(std::uint64_t bits) { return CountBits((bits & -bits) - 1); }
+  static int FindLowestBit(std::uint64_t bits) { return CountBits((bits & -bits) - 1); }
 
   std::array<std::uint64_t, 2> Words{ { 0, 0 } };
 };

@@ -74,7 +74,7 @@ Polytope Polytope::Pyramid()
       Point{ { 0, 0, 2 } } });
 }
 
-Polytope Polytope::OfShape(int shape)
+Polytope Polytope::FromShape(int shape)
 {
   switch (shape)
   {

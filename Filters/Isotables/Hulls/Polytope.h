@@ -50,7 +50,7 @@ public:
   ///@}
 
   /// Creates the cell of a vtkIsotable::Shapes value.
-  static Polytope OfShape(int shape);
+  static Polytope FromShape(int shape);
 
   /**
    * Creates a convex polytope from its vertices, with edges in lexicographic order. Returns a

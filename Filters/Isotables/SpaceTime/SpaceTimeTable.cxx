@@ -26,8 +26,8 @@ SpaceTimeTable::~SpaceTimeTable() = default;
 SpaceTimeTable& SpaceTimeTable::Get(vtkIsotable::Shapes shape)
 {
   static SpaceTimeTable tables[vtkIsotable::NUMBER_OF_SHAPES] = {
-    SpaceTimeTable(Polytope::OfShape(0).Prism()), SpaceTimeTable(Polytope::OfShape(1).Prism()),
-    SpaceTimeTable(Polytope::OfShape(2).Prism()), SpaceTimeTable(Polytope::OfShape(3).Prism())
+    SpaceTimeTable(Polytope::FromShape(0).Prism()), SpaceTimeTable(Polytope::FromShape(1).Prism()),
+    SpaceTimeTable(Polytope::FromShape(2).Prism()), SpaceTimeTable(Polytope::FromShape(3).Prism())
   };
   return tables[shape];
 }
@@ -60,11 +60,11 @@ const SpaceTimeTable::Case& SpaceTimeTable::FindCase(std::uint32_t key, std::uin
 
 std::unique_ptr<const SpaceTimeTable::Case> SpaceTimeTable::MakeCase(std::uint32_t key)
 {
-  const CellSymmetries::Origin origin = this->Symmetries.FindOrigin(key);
+  const CellSymmetries::Origin origin = this->Symmetries.FindRepresentative(key);
   std::unique_ptr<Case> made(new Case);
   made->Symmetry = origin.Symmetry;
   made->Pieces =
-    &this->Kinds.Find(origin.Key, [this, &origin] { return this->MakeKind(origin.Key); });
+    &this->Kinds.Find(origin.Key, [this, &origin] { return this->MakeClassPieces(origin.Key); });
   PointSet slots;
   for (const Slot slot : made->Pieces->GetSlots())
   {
@@ -83,7 +83,7 @@ std::unique_ptr<const SpaceTimeTable::Case> SpaceTimeTable::MakeCase(std::uint32
   return made;
 }
 
-std::unique_ptr<const SpaceTimeTable::Kind> SpaceTimeTable::MakeKind(std::uint32_t key)
+std::unique_ptr<const SpaceTimeTable::Kind> SpaceTimeTable::MakeClassPieces(std::uint32_t key)
 {
   const int n = this->GetNumberOfVertices();
   const CasePatch patch(this->Lifted, CasePatch::GetSigns(n, true, key));

@@ -112,7 +112,7 @@ public:
 
   /**
    * Triangulates those solids of a case whose slots all have a bit of \a sides in common. See
-   * CasePieces::PullSides.
+   * CasePieces::TriangulateSides.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
   void CutSides(const Case& source, const RankArray& ranks, const Slot* same,
@@ -120,7 +120,7 @@ public:
   {
     const LabelArray labels = this->MakeLabels(
       *source.Pieces, source.Symmetry, ranks, [same](Slot slot) { return same[slot]; }, sides);
-    source.Pieces->PullSides(
+    source.Pieces->TriangulateSides(
       labels.data(), this->Symmetries.Get()[source.Symmetry].Reverses, solid, polygon);
   }
 
@@ -133,7 +133,7 @@ public:
   std::uint64_t GetNumberOfLookups() const { return this->Lookups; }
   std::uint64_t GetNumberOfHits() const { return this->Lookups - this->Misses; }
   std::uint64_t GetNumberOfCases() const { return this->Cases.Number; }
-  std::uint64_t GetNumberOfKinds() const { return this->Kinds.Number; }
+  std::uint64_t GetNumberOfSymmetryClasses() const { return this->Kinds.Number; }
   std::uint64_t GetBytes() const { return this->Bytes; }
   ///@}
 
@@ -238,7 +238,7 @@ private:
 
   const Case& FindCase(std::uint32_t key, std::uint64_t& misses);
   std::unique_ptr<const Case> MakeCase(std::uint32_t key);
-  std::unique_ptr<const Kind> MakeKind(std::uint32_t key);
+  std::unique_ptr<const Kind> MakeClassPieces(std::uint32_t key);
 
   Polytope Cell;
   Polytope Lifted;

@@ -37,7 +37,7 @@ class HarmonicExtension
 {
 public:
   /// Sets the mesh, which must outlive this object. The values at points without source points (see
-  /// MeshedPoint) are unknown.
+  /// PointSources) are unknown.
   explicit HarmonicExtension(const interlume::Tetrahedra& mesh);
 
   /// Callback that returns true to cancel. It is called in each iteration.

@@ -81,7 +81,7 @@ bool MeshedArrays::InterpolatePointData(vtkDataSet* input, const Tetrahedra& mes
     {
       for (vtkIdType p = 0; p < number; ++p)
       {
-        const MeshedPoint& origin = mesh.Origins[p];
+        const PointSources& origin = mesh.Origins[p];
         values[p] = 0.0;
         for (int i = 0; i < origin.NumberOfSources; ++i)
         {

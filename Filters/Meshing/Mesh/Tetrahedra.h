@@ -14,7 +14,7 @@ namespace interlume
  * Source points of a mesh point, and the weights for interpolating from their values. If the mesh
  * point is an input point, it is its own only source, with weight 1.
  */
-struct MeshedPoint
+struct PointSources
 {
   std::array<vtkIdType, 4> Sources{ { 0, 0, 0, 0 } };
   std::array<double, 4> Weights{ { 1.0, 0.0, 0.0, 0.0 } };
@@ -31,7 +31,7 @@ struct Tetrahedra
   /// The unit of length is 2^UnitExponent, close to the size of the model. This keeps bounds and
   /// products of coordinates within the range of double for any size.
   int UnitExponent = 0;
-  std::vector<MeshedPoint> Origins;
+  std::vector<PointSources> Origins;
   std::vector<vtkIdType> Tetrahedra; ///< four per tetrahedron
   std::vector<vtkIdType> Cells; ///< input cell of each tetrahedron; empty unless cells are meshed
   std::vector<int> Regions;     ///< region of each tetrahedron; empty unless a surface is meshed

@@ -61,7 +61,7 @@ void SetMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
   TetrahedronWalk walk(coarse);
   for (std::size_t p = 0; p < mesh.Origins.size(); ++p)
   {
-    MeshedPoint& origin = mesh.Origins[p];
+    PointSources& origin = mesh.Origins[p];
     if (p < sourceIds.size())
     {
       origin.NumberOfSources = 1;

@@ -19,7 +19,7 @@ namespace
 {
 /// Projects \a x onto the plane of a triangle. Returns the triangle's points and the barycentric
 /// coordinates of \a x. At least one coordinate is negative if \a x is outside the triangle.
-MeshedPoint InterpolateInTriangle(const ClosedSurface& surface, int triangle, const double* x)
+PointSources InterpolateInTriangle(const ClosedSurface& surface, int triangle, const double* x)
 {
   using namespace Vectors;
   const std::array<int, 3>& corners =
@@ -31,7 +31,7 @@ MeshedPoint InterpolateInTriangle(const ClosedSurface& surface, int triangle, co
   const double area = glm::dot(normal, normal);
   const double beta = glm::dot(normal, glm::cross(Difference(x, a), Difference(c, a))) / area;
   const double gamma = glm::dot(normal, glm::cross(Difference(b, a), Difference(x, a))) / area;
-  MeshedPoint point;
+  PointSources point;
   point.NumberOfSources = 3;
   for (int i = 0; i < 3; ++i)
   {
@@ -43,14 +43,14 @@ MeshedPoint InterpolateInTriangle(const ClosedSurface& surface, int triangle, co
 
 /// Returns the points and barycentric coordinates for interpolating at \a x. \a triangles are those
 /// of a patch; the one that contains \a x is used.
-MeshedPoint InterpolateInPatch(
+PointSources InterpolateInPatch(
   const ClosedSurface& surface, const std::vector<int>& triangles, const double* x)
 {
-  MeshedPoint best;
+  PointSources best;
   double bestWeight = -std::numeric_limits<double>::infinity();
   for (int triangle : triangles)
   {
-    const MeshedPoint point = InterpolateInTriangle(surface, triangle, x);
+    const PointSources point = InterpolateInTriangle(surface, triangle, x);
     const double smallest = *std::min_element(point.Weights.begin(), point.Weights.begin() + 3);
     if (smallest > bestWeight)
     {

@@ -58,7 +58,7 @@ void VolumeBisection::Execute(int maximumNumberOfPoints)
       stack.pop_back();
       continue;
     }
-    const std::vector<int> changed = this->Split(this->FindTerminal(t), t);
+    const std::vector<int> changed = this->Split(this->FindTerminalEdge(t), t);
     if (changed.empty())
     {
       stack.pop_back();
@@ -103,7 +103,7 @@ bool VolumeBisection::IsShorter(const Edge& edge, const Edge& other) const
   return length < otherLength || (length == otherLength && edge < other);
 }
 
-VolumeBisection::Edge VolumeBisection::FindLongest(int tetrahedron) const
+VolumeBisection::Edge VolumeBisection::FindLongestEdge(int tetrahedron) const
 {
   const int* p = &this->Mesh.Tetrahedra[4 * tetrahedron];
   Edge longest{ { -1, -1 } };
@@ -121,15 +121,15 @@ VolumeBisection::Edge VolumeBisection::FindLongest(int tetrahedron) const
   return longest;
 }
 
-VolumeBisection::Edge VolumeBisection::FindTerminal(int tetrahedron) const
+VolumeBisection::Edge VolumeBisection::FindTerminalEdge(int tetrahedron) const
 {
-  Edge edge = this->FindLongest(tetrahedron);
+  Edge edge = this->FindLongestEdge(tetrahedron);
   for (bool isLonger = edge[0] >= 0; isLonger;)
   {
     isLonger = false;
     for (int t : this->FindAround(edge))
     {
-      const Edge other = this->FindLongest(t);
+      const Edge other = this->FindLongestEdge(t);
       if (this->IsShorter(edge, other))
       {
         edge = other;

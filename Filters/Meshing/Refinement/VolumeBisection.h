@@ -38,10 +38,10 @@ private:
   bool IsFixed(const Edge& edge) const;
   /// Returns whether \a edge is shorter than \a other. Point indices break ties.
   bool IsShorter(const Edge& edge, const Edge& other) const;
-  Edge FindLongest(int tetrahedron) const;
+  Edge FindLongestEdge(int tetrahedron) const;
   /// Follows longer edges from the longest edge of \a tetrahedron, and returns the first edge that
   /// is the longest edge of all tetrahedra around it.
-  Edge FindTerminal(int tetrahedron) const;
+  Edge FindTerminalEdge(int tetrahedron) const;
   std::vector<int> FindAround(const Edge& edge) const;
   /// Splits an edge, or a tetrahedron if \a edge is { -1, -1 }. Returns the changed tetrahedra, or
   /// an empty list if rounding error would create a tetrahedron without volume.

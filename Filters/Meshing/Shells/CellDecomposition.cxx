@@ -51,7 +51,7 @@ Error CellDecomposition::Execute(MeshingJob& job)
     ++job.Report.CellsByTetGen;
     return error;
   }
-  if (this->DecomposeFromCenter())
+  if (this->DecomposeFromKernelPoint())
   {
     ++job.Report.CellsConed;
     return {};
@@ -102,7 +102,7 @@ bool CellDecomposition::DecomposeFromPoint()
   return false;
 }
 
-bool CellDecomposition::HasShell(const TetGenSolution& solution) const
+bool CellDecomposition::MatchesShell(const TetGenSolution& solution) const
 {
   std::vector<std::array<int, 3>> outside;
   for (std::size_t i = 0; i < solution.Neighbors.size(); ++i)
@@ -137,7 +137,7 @@ Error CellDecomposition::DecomposeWithTetGen(MeshingJob& job)
   }
   TetGenSolution solution;
   Error error = job.Solve(problem, solution);
-  if (error || !this->HasShell(solution))
+  if (error || !this->MatchesShell(solution))
   {
     return error ? error : mismatch;
   }
@@ -151,7 +151,7 @@ Error CellDecomposition::DecomposeWithTetGen(MeshingJob& job)
         &solution.Points[3 * t[3]]));
   }
   glm::dvec3 center;
-  if (minimum < NearlyDegenerateShape && this->FindCenter(center) &&
+  if (minimum < NearlyDegenerateShape && this->FindKernelPoint(center) &&
     this->GetMinimumShape(glm::value_ptr(center)) > minimum)
   {
     this->Tetrahedra.clear();
@@ -182,7 +182,7 @@ double CellDecomposition::GetMinimumShape(const double* apex) const
   return minimum;
 }
 
-bool CellDecomposition::FindCenter(glm::dvec3& center) const
+bool CellDecomposition::FindKernelPoint(glm::dvec3& center) const
 {
   // Start at the mean of the points, then move inward in decreasing steps. Each step is orthogonal
   // to the triangle with the smallest signed distance from the center, which is negative outside
@@ -228,10 +228,10 @@ bool CellDecomposition::FindCenter(glm::dvec3& center) const
   return bestShape > 0.0;
 }
 
-bool CellDecomposition::DecomposeFromCenter()
+bool CellDecomposition::DecomposeFromKernelPoint()
 {
   glm::dvec3 center;
-  if (!this->FindCenter(center))
+  if (!this->FindKernelPoint(center))
   {
     return false;
   }

@@ -42,9 +42,9 @@ private:
   bool DecomposeFromPoint();
   /// Returns an error if TetGen's tetrahedra cannot be used.
   Error DecomposeWithTetGen(MeshingJob& job);
-  bool DecomposeFromCenter();
-  bool FindCenter(glm::dvec3& center) const;
-  bool HasShell(const TetGenSolution& solution) const;
+  bool DecomposeFromKernelPoint();
+  bool FindKernelPoint(glm::dvec3& center) const;
+  bool MatchesShell(const TetGenSolution& solution) const;
   /// Returns the minimum polar sine of the tetrahedra that connect \a apex to all triangles.
   double GetMinimumShape(const double* apex) const;
 

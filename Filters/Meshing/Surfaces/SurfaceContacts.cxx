@@ -73,7 +73,7 @@ bool SurfaceContacts::Find()
   this->Parents.resize(this->Surface.Triangles.size());
   std::iota(this->Parents.begin(), this->Parents.end(), 0);
   TrianglePairs::ForEach(
-    this->Surface, this->Tolerance, [this](int s, int t) { this->FindInPair(s, t); });
+    this->Surface, this->Tolerance, [this](int s, int t) { this->FindPairContacts(s, t); });
   return this->FirstCells[0] != std::numeric_limits<vtkIdType>::max();
 }
 
@@ -84,7 +84,7 @@ void SurfaceContacts::RecordContact(int s, int t)
     std::min(this->FirstCells, std::array<vtkIdType, 2>{ { cells.first, cells.second } });
 }
 
-void SurfaceContacts::FindInPair(int s, int t)
+void SurfaceContacts::FindPairContacts(int s, int t)
 {
   // Distances of the corners of each triangle from the plane of the other triangle.
   std::array<std::array<double, 3>, 2> distances;
@@ -312,7 +312,7 @@ Error SurfaceContacts::Split()
       this->PointsOnEdges.count(this->GetEdge(t, 2)) > 0;
     if (isTouched)
     {
-      if (Error error = this->SplitTogether(group.second))
+      if (Error error = this->SplitCoplanarTriangles(group.second))
       {
         return error;
       }
@@ -373,7 +373,7 @@ std::vector<int> SurfaceContacts::PointsAlong(const Edge& edge) const
   return points;
 }
 
-Error SurfaceContacts::SplitTogether(const std::vector<int>& members)
+Error SurfaceContacts::SplitCoplanarTriangles(const std::vector<int>& members)
 {
   const glm::dvec3 normal = glm::abs(this->GetNormal(members.front()));
   const int main = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;

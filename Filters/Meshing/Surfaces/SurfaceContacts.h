@@ -44,7 +44,7 @@ public:
 private:
   using Edge = std::array<int, 2>; ///< point indices in ascending order
 
-  void FindInPair(int s, int t);
+  void FindPairContacts(int s, int t);
   /// Finds the corners of triangle \a s that lie on triangle \a t. \a distances are the distances
   /// of the corners from the plane of \a t.
   void FindPoints(int s, int t, const std::array<double, 3>& distances);
@@ -60,7 +60,7 @@ private:
   /// Returns the points on an edge in their order along the edge, including its ends.
   std::vector<int> PointsAlong(const Edge& edge) const;
   /// Splits a set of overlapping coplanar triangles, or a single triangle.
-  Error SplitTogether(const std::vector<int>& members);
+  Error SplitCoplanarTriangles(const std::vector<int>& members);
   /// Adds each triangle of \a plane that is covered by one or more overlapping triangles to the
   /// result. \a pieces lists, for each edge segment, the overlapping triangles that it bounds.
   void AddCoveredTriangles(const class PlanarTriangulation& plane, const std::vector<int>& ids,

@@ -31,15 +31,15 @@ inline double GetValue(const DualNumber& a)
 }
 
 /// Returns (1 - exp(-a)) / a, or 1 if a is 0.
-inline double Decay(double a)
+inline double MeanExponentialDecay(double a)
 {
   return a == 0.0 ? 1.0 : -std::expm1(-a) / a;
 }
-inline DualNumber Decay(const DualNumber& a)
+inline DualNumber MeanExponentialDecay(const DualNumber& a)
 {
   // Near 0 the difference below suffers from cancellation, so use the series of the derivative.
   const double x = a.value();
-  const double value = Decay(x);
+  const double value = MeanExponentialDecay(x);
   const double derivative = std::abs(x) < 1e-3
     ? -0.5 + x * (1.0 / 3.0 - x * (0.125 - x * (1.0 / 30.0 - x / 144.0)))
     : (std::exp(-x) - value) / x;

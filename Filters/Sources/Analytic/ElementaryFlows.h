@@ -161,7 +161,7 @@ struct Cylinder
   bool IsInside(const double x[3]) const
   {
     double radial[3];
-    this->GetRadial(x, radial);
+    this->GetRadialOffset(x, radial);
     return SquaredLength(radial) < this->Radius * this->Radius;
   }
 
@@ -169,7 +169,7 @@ struct Cylinder
   void operator()(const Number x[3], Number v[3]) const
   {
     Number radial[3];
-    this->GetRadial(x, radial);
+    this->GetRadialOffset(x, radial);
     const Number r2 = SquaredLength(radial);
     if (DualMath::GetValue(r2) < this->Radius * this->Radius)
     {
@@ -186,7 +186,7 @@ struct Cylinder
 
 private:
   template <typename Number>
-  void GetRadial(const Number x[3], Number radial[3]) const
+  void GetRadialOffset(const Number x[3], Number radial[3]) const
   {
     const Number height = Dot(this->Axis, x);
     for (int i = 0; i < 3; ++i)

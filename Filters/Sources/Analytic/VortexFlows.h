@@ -53,7 +53,7 @@ struct BentAxis
   /// radial and tangential velocity divided by the distance from the axis. \a rise is the vertical
   /// velocity.
   template <typename Number>
-  void Compose(const Number x[3], const Number& radialByRadius, const Number& swirlByRadius,
+  void ComposeVelocity(const Number x[3], const Number& radialByRadius, const Number& swirlByRadius,
     const Number& rise, Number v[3]) const
   {
     Number offset[2];
@@ -95,7 +95,7 @@ struct Hurricane
     const Number swirl =
       2.0 * this->MaximumWind / this->EyeRadius / ((1.0 + s) * (1.0 + height * height));
     const Number rise = this->Updraft / strongest * sin(BentAxis::Pi * height) * GetSlope(s);
-    this->Axis.Compose(x, radial, swirl, rise, v);
+    this->Axis.ComposeVelocity(x, radial, swirl, rise, v);
   }
 
 private:
@@ -126,9 +126,10 @@ struct Tornado
     this->Axis.Shift(x, offset);
     const double core2 = this->CoreRadius * this->CoreRadius;
     const Number s = (offset[0] * offset[0] + offset[1] * offset[1]) / core2;
-    const Number swirl = this->Circulation / (2.0 * BentAxis::Pi * core2) * DualMath::Decay(s);
+    const Number swirl =
+      this->Circulation / (2.0 * BentAxis::Pi * core2) * DualMath::MeanExponentialDecay(s);
     const Number rise = this->Strain * this->Axis.Height * this->Axis.GetRelativeHeight(x[2]);
-    this->Axis.Compose(x, Number(-0.5 * this->Strain), swirl, rise, v);
+    this->Axis.ComposeVelocity(x, Number(-0.5 * this->Strain), swirl, rise, v);
   }
 };
 }

@@ -58,7 +58,7 @@ void FieldSampler::SetArrayName(
   Assign(member, std::string(name && *name ? name : defaultName), owner);
 }
 
-void FieldSampler::Announce(vtkInformation* output, const int wholeExtent[6]) const
+void FieldSampler::FillInformation(vtkInformation* output, const int wholeExtent[6]) const
 {
   // A time range of zero length has one time step.
   const double length = this->TimeRange[1] - this->TimeRange[0];

@@ -47,7 +47,7 @@ struct FieldSampler
     std::string& member, const char* name, const char* defaultName, vtkAlgorithm* owner);
 
   /// Sets the whole extent, the time steps and the active scalars in the pipeline information.
-  void Announce(vtkInformation* output, const int wholeExtent[6]) const;
+  void FillInformation(vtkInformation* output, const int wholeExtent[6]) const;
 
   /// Finds the requested time, or the first time step. Returns an error if the time is not finite.
   Error FindTime(vtkInformation* output, double& time) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/FlowSlices.h"
 
-#include "Draw/FlowRenderPass.h"
+#include "Draw/FlowRenderFrame.h"
 #include "Draw/FlowShader.h"
 #include "Draw/FlowTextures.h"
 #include "Draw/FlowUniforms.h"
@@ -47,7 +47,7 @@ public:
   void ReportError(const std::string& text) override { this->Reported = text; }
 
   Error Reported;
-  FlowRenderPass* Pass = nullptr;
+  FlowRenderFrame* Pass = nullptr;
   const FlowRenderState* Scene = nullptr;
   FlowTextures* Textures = nullptr;
 };
@@ -82,7 +82,7 @@ bool FlowSlices::HasShadowLight(vtkRenderer* renderer)
   return false;
 }
 
-void FlowSlices::MakeReached(const FlowRenderPass& pass, const FlowRenderState& scene)
+void FlowSlices::MakeReachedImage(const FlowRenderFrame& pass, const FlowRenderState& scene)
 {
   const FlowGrid& grid = scene.Grid;
   this->Reached->CopyStructure(pass.Image);
@@ -100,7 +100,7 @@ void FlowSlices::MakeReached(const FlowRenderPass& pass, const FlowRenderState& 
   this->Mapper->SetInputData(this->Reached);
 }
 
-void FlowSlices::Set(const FlowRenderPass& pass, const FlowRenderState& scene)
+void FlowSlices::Set(const FlowRenderFrame& pass, const FlowRenderState& scene)
 {
   vtkImplicitFlowVolumeMapper& settings = pass.Mapper;
   vtkShadowedSliceMapper* mapper = this->Mapper;
@@ -126,7 +126,7 @@ void FlowSlices::Set(const FlowRenderPass& pass, const FlowRenderState& scene)
   this->Volume->SetUserMatrix(pass.Volume->GetMatrix());
 }
 
-Error FlowSlices::Draw(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures)
+Error FlowSlices::Draw(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures)
 {
   this->Painted->Pass = &pass;
   this->Painted->Scene = &scene;
@@ -135,7 +135,7 @@ Error FlowSlices::Draw(FlowRenderPass& pass, const FlowRenderState& scene, FlowT
   pass.Parts.IsMedium = true;
   if (this->ReachedVersion != scene.GridVersion)
   {
-    this->MakeReached(pass, scene);
+    this->MakeReachedImage(pass, scene);
   }
   this->Set(pass, scene);
   this->Mapper->Render(pass.Renderer, this->Volume);

@@ -17,7 +17,7 @@ namespace interlume
 {
 
 class FlowTextures;
-struct FlowRenderPass;
+struct FlowRenderFrame;
 struct FlowRenderState;
 
 /**
@@ -38,15 +38,15 @@ public:
 
   /// Draws a frame. The textures must already be uploaded. Returns the errors and warnings of the
   /// slice mapper.
-  Error Draw(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures);
+  Error Draw(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   class Medium;
 
-  void MakeReached(const FlowRenderPass& pass, const FlowRenderState& scene);
-  void Set(const FlowRenderPass& pass, const FlowRenderState& scene);
+  void MakeReachedImage(const FlowRenderFrame& pass, const FlowRenderState& scene);
+  void Set(const FlowRenderFrame& pass, const FlowRenderState& scene);
 
   vtkNew<vtkImageData> Reached;
   vtkMTimeType ReachedVersion = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/FlowSources.h"
 
-#include "Draw/FlowRenderPass.h"
+#include "Draw/FlowRenderFrame.h"
 #include "Draw/FlowTextures.h"
 #include "Grid/SmoothVoxels.h"
 #include "Loader/OpenGLFunctions.h"
@@ -63,7 +63,7 @@ vtkIdType CountNonFinite(vtkDataArray* array)
   return count;
 }
 
-void UpdateGrid(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures)
+void UpdateGrid(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures)
 {
   const FlowGrid& grid = scene.Grid;
   // Software OpenGL interpolates in full precision. GPUs round interpolation weights to 8 bits.
@@ -104,7 +104,7 @@ void UpdateGrid(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures
   }
 }
 
-void UpdatePaints(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& textures)
+void UpdatePaints(FlowRenderFrame& pass, FlowRenderState& scene, FlowTextures& textures)
 {
   vtkImplicitFlowVolumeMapper& mapper = pass.Mapper;
   FlowVolumeRenderReport& report = pass.Report;
@@ -161,7 +161,7 @@ void UpdatePaints(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& te
   }
 }
 
-void UpdateArrays(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures)
+void UpdateArrays(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures)
 {
   FlowVolumeRenderReport& report = pass.Report;
   std::vector<float> values;
@@ -221,7 +221,7 @@ void UpdateArrays(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextur
 }
 }
 
-Error FlowSources::Update(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& textures)
+Error FlowSources::Update(FlowRenderFrame& pass, FlowRenderState& scene, FlowTextures& textures)
 {
   textures.Begin(pass.Window);
   UpdateGrid(pass, scene, textures);

@@ -8,7 +8,7 @@ namespace interlume
 {
 
 class FlowTextures;
-struct FlowRenderPass;
+struct FlowRenderFrame;
 struct FlowRenderState;
 
 /**
@@ -21,7 +21,7 @@ namespace FlowSources
  * range of the opacity transfer function and the upload counts in \a pass. Returns an error if a
  * texture cannot be created, or if there are too many textures or they are too large.
  */
-Error Update(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& textures);
+Error Update(FlowRenderFrame& pass, FlowRenderState& scene, FlowTextures& textures);
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/FlowUniforms.h"
 
-#include "Draw/FlowRenderPass.h"
+#include "Draw/FlowRenderFrame.h"
 
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
@@ -41,7 +41,7 @@ void SetValue(vtkShaderProgram* program, const char* name, const glm::dmat3& m)
   program->SetUniformMatrix3x3(name, glm::value_ptr(values));
 }
 
-void SetView(vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass)
+void SetView(vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderFrame& pass)
 {
   const FlowViewRays& view = scene.View;
   SetValue(program, "rayOrigin", view.Origin);
@@ -70,7 +70,7 @@ void SetView(vtkShaderProgram* program, const FlowRenderState& scene, const Flow
 }
 
 void FlowUniforms::Set(
-  vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass)
+  vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderFrame& pass)
 {
   SetView(program, scene, pass);
   program->SetUniformf("sampleDistance", static_cast<float>(pass.SampleDistance));
@@ -88,7 +88,7 @@ void FlowUniforms::Set(
 }
 
 void FlowUniforms::SetMedium(
-  vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass)
+  vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderFrame& pass)
 {
   vtkImplicitFlowVolumeMapper& mapper = pass.Mapper;
   vtkVolumeProperty* property = pass.Volume->GetProperty();

@@ -7,7 +7,7 @@ class vtkShaderProgram;
 namespace interlume
 {
 
-struct FlowRenderPass;
+struct FlowRenderFrame;
 struct FlowRenderState;
 
 /**
@@ -19,10 +19,10 @@ class FlowUniforms
 public:
   /// Sets all uniforms of ray casting, including those of SetMedium.
   static void Set(
-    vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass);
+    vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderFrame& pass);
   /// Sets the uniforms for textures and shading. Slices use only these.
   static void SetMedium(
-    vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass);
+    vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderFrame& pass);
 };
 
 }

@@ -2,13 +2,13 @@
 #include "Draw/FlowVolumeRenderer.h"
 
 #include "Common/ArrayCheck.h"
-#include "Draw/FlowRenderPass.h"
+#include "Draw/FlowRenderFrame.h"
 #include "Draw/FlowShader.h"
 #include "Draw/FlowSlices.h"
 #include "Draw/FlowSources.h"
 #include "Draw/FlowTextures.h"
 #include "Draw/FlowUniforms.h"
-#include "Loader/ScopedState.h"
+#include "Loader/ScopedGLState.h"
 #include "Loader/SoftwareOpenGL.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/ImageQuad.h"
@@ -71,7 +71,7 @@ Error FlowVolumeRenderer::UpdateGrid(vtkImageData* image)
   return this->GridError;
 }
 
-Error FlowVolumeRenderer::FindArrays(FlowRenderPass& pass)
+Error FlowVolumeRenderer::FindArrays(FlowRenderFrame& pass)
 {
   vtkImplicitFlowVolumeMapper& mapper = pass.Mapper;
   const auto find = [&](const char* name, vtkDataArray*& array)
@@ -117,7 +117,7 @@ Error FlowVolumeRenderer::FindArrays(FlowRenderPass& pass)
   return {};
 }
 
-Error FlowVolumeRenderer::Update(FlowRenderPass& pass)
+Error FlowVolumeRenderer::Update(FlowRenderFrame& pass)
 {
   if (Error error = this->UpdateGrid(pass.Image).Then([&] { return this->FindArrays(pass); }))
   {
@@ -177,7 +177,7 @@ void FlowVolumeRenderer::ReleaseSlices(vtkOpenGLRenderWindow* window, bool hasSh
   }
 }
 
-Error FlowVolumeRenderer::DrawSlices(FlowRenderPass& pass, WindowResources& resources)
+Error FlowVolumeRenderer::DrawSlices(FlowRenderFrame& pass, WindowResources& resources)
 {
   vtkOpenGLState* state = pass.Window->GetState();
   state->PushFramebufferBindings();
@@ -190,7 +190,7 @@ Error FlowVolumeRenderer::DrawSlices(FlowRenderPass& pass, WindowResources& reso
   return this->Slices->Draw(pass, this->Scene, resources.Textures);
 }
 
-Error FlowVolumeRenderer::Draw(FlowRenderPass& pass, WindowResources& resources)
+Error FlowVolumeRenderer::Draw(FlowRenderFrame& pass, WindowResources& resources)
 {
   vtkOpenGLRenderWindow* window = pass.Window;
   vtkTextureObject* depth = resources.OpaqueDepth;
@@ -216,7 +216,7 @@ Error FlowVolumeRenderer::Draw(FlowRenderPass& pass, WindowResources& resources)
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   {
-    const ScopedState scoped(state);
+    const ScopedGLState scoped(state);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglDisable(GL_SCISSOR_TEST);
     resources.Framebuffer->SetContext(window);
@@ -233,7 +233,7 @@ Error FlowVolumeRenderer::Draw(FlowRenderPass& pass, WindowResources& resources)
       FloatTexture::Allocate(window, resources.NoDepth, 1, 1, 1, false);
       bound = resources.NoDepth;
     }
-    resources.RayQuad.DrawWith(window, bound, shader.GetSource(),
+    resources.RayQuad.DrawWithShader(window, bound, shader.GetSource(),
       [&](vtkShaderProgram* program)
       {
         resources.Textures.Activate(program);
@@ -275,7 +275,7 @@ Error FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   {
     resources = std::make_unique<WindowResources>();
   }
-  FlowRenderPass pass{ renderer, window, volume, mapper, image, report };
+  FlowRenderFrame pass{ renderer, window, volume, mapper, image, report };
   // Selection does not use lights.
   const bool isSelection = renderer->GetSelector() != nullptr;
   pass.HasShadows = mapper.GetShadows() && !isSelection && FlowSlices::HasShadowLight(renderer);

@@ -3,7 +3,7 @@
 #define interlume_FlowVolumeRenderer_h
 
 #include "Common/Error.h"
-#include "Draw/FlowRenderPass.h"
+#include "Draw/FlowRenderFrame.h"
 
 #include <map>
 #include <memory>
@@ -39,12 +39,12 @@ private:
   struct WindowResources;
 
   Error UpdateGrid(vtkImageData* image);
-  Error FindArrays(FlowRenderPass& pass);
-  Error Update(FlowRenderPass& pass);
-  Error Draw(FlowRenderPass& pass, WindowResources& resources);
+  Error FindArrays(FlowRenderFrame& pass);
+  Error Update(FlowRenderFrame& pass);
+  Error Draw(FlowRenderFrame& pass, WindowResources& resources);
   /// Releases the resources of Slices in a window or, if shadows are off, Slices itself.
   void ReleaseSlices(vtkOpenGLRenderWindow* window, bool hasShadows);
-  Error DrawSlices(FlowRenderPass& pass, WindowResources& resources);
+  Error DrawSlices(FlowRenderFrame& pass, WindowResources& resources);
 
   FlowRenderState Scene;
   std::pair<const void*, vtkMTimeType> GridStamp{ nullptr, 0 };

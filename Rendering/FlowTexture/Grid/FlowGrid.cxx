@@ -92,12 +92,12 @@ Error FlowGrid::Build(vtkImageData* image)
     return "The samples reach " + std::to_string(this->Ids.size()) + " surfaces, but at most " +
       std::to_string(LARGEST_LABEL) + " are supported. Use fewer termination surfaces.";
   }
-  this->ReadPeriods(image);
+  this->ReadPeriodicity(image);
   this->ReadVoxels(arrays);
   UnwrappedParameters::Apply(*this);
   this->FindKinds();
   this->FindDistances();
-  this->MarkInner();
+  this->MarkInnerCells();
   return {};
 }
 
@@ -132,7 +132,7 @@ int FlowGrid::FindLabel(int id) const
                                                   : 0;
 }
 
-void FlowGrid::ReadPeriods(vtkImageData* image)
+void FlowGrid::ReadPeriodicity(vtkImageData* image)
 {
   this->Periods.assign(this->Ids.size(), Periodicity{ { false, false } });
   vtkDataArray* surfaces = image->GetFieldData()->GetArray(SURFACES);
@@ -366,7 +366,7 @@ void FlowGrid::FindDistances()
   }
 }
 
-void FlowGrid::MarkInner()
+void FlowGrid::MarkInnerCells()
 {
   const vtkIdType size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
   this->ForEachCell(

@@ -85,7 +85,7 @@ private:
   struct Arrays;
 
   void FindIds(const Arrays& arrays);
-  void ReadPeriods(vtkImageData* image);
+  void ReadPeriodicity(vtkImageData* image);
   void ReadVoxels(const Arrays& arrays);
   /// Calls visit(i, j, k, cell) for all cells in parallel. \a cell is the index of the cell's
   /// kind in Cells.
@@ -95,7 +95,7 @@ private:
   unsigned short FindKind(const std::array<vtkIdType, 8>& corners) const;
   float FindSlope(const std::array<vtkIdType, 8>& corners) const;
   void FindDistances();
-  void MarkInner();
+  void MarkInnerCells();
 };
 
 }

@@ -188,7 +188,7 @@ void EmitterSampleLayers::DrawTiles(vtkOpenGLRenderWindow* window, SlicePass& pa
   pass.Draw(window, this->Plan.GetStarts(), number, 0.0);
 }
 
-int EmitterSampleLayers::FillLayers(vtkOpenGLRenderWindow* window, Batch& batch)
+int EmitterSampleLayers::MultiplyIntoLayers(vtkOpenGLRenderWindow* window, Batch& batch)
 {
   if (batch.Number < 0)
   {
@@ -298,7 +298,7 @@ bool EmitterSampleLayers::Begin(
         batches[static_cast<std::size_t>(next)], PendingBatches);
     if (isOld || &batch == &this->Batches[this->Current])
     {
-      drawn += this->FillLayers(window, batch);
+      drawn += this->MultiplyIntoLayers(window, batch);
     }
   }
   this->HasLayers = this->HasLayers || drawn > 0;
@@ -313,7 +313,7 @@ int EmitterSampleLayers::Finish(vtkOpenGLRenderWindow* window)
   int passes = 0;
   for (Batch& batch : this->Batches)
   {
-    passes += this->FillLayers(window, batch);
+    passes += this->MultiplyIntoLayers(window, batch);
   }
   return passes;
 }

@@ -115,7 +115,7 @@ private:
   Error Compile(vtkOpenGLRenderWindow* window, int channels);
   void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
   /// Multiplies a batch into the layers and clears it. Returns the number of passes drawn.
-  int FillLayers(vtkOpenGLRenderWindow* window, Batch& batch);
+  int MultiplyIntoLayers(vtkOpenGLRenderWindow* window, Batch& batch);
   /// Draws into \a buffer the product of the pending batches and the mean of the layers, as seen in
   /// the middle plane of batch \a number. Returns the number of passes drawn.
   int DrawMean(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int number);

@@ -105,12 +105,13 @@ int SliceConvolution::Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buf
   // Penumbras also widen in empty slabs.
   for (; this->Slab < slab; ++this->Slab)
   {
-    passes += this->Widen(window, buffer, getHeight(this->Slab + 1));
+    passes += this->WidenPenumbra(window, buffer, getHeight(this->Slab + 1));
   }
   return passes;
 }
 
-int SliceConvolution::Widen(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, double height)
+int SliceConvolution::WidenPenumbra(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, double height)
 {
   int passes = 0;
   for (std::size_t axis = 0; axis < 2; ++axis)

@@ -58,7 +58,7 @@ public:
 private:
   /// Accumulates the penumbra's width up to \a height along the normal, and convolves the buffer if
   /// the penumbra is wide enough.
-  int Widen(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, double height);
+  int WidenPenumbra(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, double height);
   void Convolve(
     vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, std::size_t axis, int width);
 

@@ -30,7 +30,7 @@ SliceLightBuffer::SliceLightBuffer(int light)
 
 SliceLightBuffer::~SliceLightBuffer() = default;
 
-vtkIdType SliceLightBuffer::GetSoftTexels(const SlicePlan::ShadowedLight& light)
+vtkIdType SliceLightBuffer::GetNumberOfSoftShadowTexels(const SlicePlan::ShadowedLight& light)
 {
   return light.SoftMethod == SlicePlan::LAYERS ? EmitterSampleLayers::GetTexels(light)
     : light.SoftMethod == SlicePlan::CONVOLUTION
@@ -156,7 +156,7 @@ Error SliceLightBuffer::PrepareVolume(
   {
     own.TileVertices->Upload(drawn, vtkOpenGLBufferObject::ArrayBuffer);
   }
-  const std::string source = SliceShader::GetLightSource(frame, light, hasLayers);
+  const std::string source = SliceShader::GetLightBufferShaderSource(frame, light, hasLayers);
   if (Error error =
         own.Slices.Prepare(window, source, isTiled ? own.TileVertices.Get() : slices.GetVertices()))
   {
@@ -211,7 +211,7 @@ int SliceLightBuffer::GetNumberOfSampleLayers() const
   return this->Samples ? this->Samples->GetNumberOfLayers() : 0;
 }
 
-vtkIdType SliceLightBuffer::GetSoftBytes() const
+vtkIdType SliceLightBuffer::GetSoftShadowBytes() const
 {
   return this->Samples  ? this->Samples->GetBytes()
     : this->Convolution ? this->Convolution->GetBytes()
@@ -252,7 +252,7 @@ void SliceLightBuffer::CopyTo(vtkTextureObject* layer)
   }
 }
 
-bool SliceLightBuffer::KeepLayer(int slab, bool isEmpty, std::size_t volume)
+bool SliceLightBuffer::UpdateLayer(int slab, bool isEmpty, std::size_t volume)
 {
   Volume& own = *this->Volumes[volume];
   const std::array<int, 2> before = own.LayerSlabs;

@@ -48,7 +48,7 @@ public:
   ~SliceLightBuffer();
 
   /// Returns the number of texels that soft shadows require in addition to the light buffer.
-  static vtkIdType GetSoftTexels(const SlicePlan::ShadowedLight& light);
+  static vtkIdType GetNumberOfSoftShadowTexels(const SlicePlan::ShadowedLight& light);
 
   int GetLight() const { return this->Light; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
@@ -56,7 +56,7 @@ public:
   /// Return the number of layers, and their size in bytes, that soft shadows require in addition to
   /// the buffer.
   int GetNumberOfSampleLayers() const;
-  vtkIdType GetSoftBytes() const;
+  vtkIdType GetSoftShadowBytes() const;
   /// Returns true if a sweep of the image uses the buffer.
   bool IsUsed() const { return this->Bytes > 0; }
   void SetUnused() { this->Bytes = 0; }
@@ -83,7 +83,7 @@ public:
   ///@}
   /// Copies the buffer to a volume's layer if the last layer is old enough. Call this before a slab
   /// is drawn, or skipped because the volume is empty there. Returns true if the layer has changed.
-  bool KeepLayer(int slab, bool isEmpty, std::size_t volume);
+  bool UpdateLayer(int slab, bool isEmpty, std::size_t volume);
 
   /// Prepares an area light's buffer for a nonempty slab, before the slab is drawn. Returns the
   /// number of passes.

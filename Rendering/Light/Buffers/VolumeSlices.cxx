@@ -88,14 +88,15 @@ Error VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bo
   const bool hasTileVertices = this->HasTiles && !this->Tiles.GetVertices().empty();
   const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
   {
-    const std::string source = SliceShader::GetEyeSource(*this->Frame, sweep, isOccluded, part);
+    const std::string source =
+      SliceShader::GetImageShaderSource(*this->Frame, sweep, isOccluded, part);
     Error error =
       pass.Prepare(window, source, hasTileVertices ? this->TileVertices : this->Vertices, isMarked);
     if (!error)
     {
       activate(pass.GetProgram());
       this->Add(pass.GetProgram());
-      SliceShader::SetEyeUniforms(pass.GetProgram(), *this->Frame, sweep);
+      SliceShader::SetImageUniforms(pass.GetProgram(), *this->Frame, sweep);
     }
     return error;
   };

@@ -121,7 +121,7 @@ std::vector<double> MakeKey(const VolumeRenderState& frame,
 }
 }
 
-Error ScatteringUpdater::MakePhase(const Settings& settings, SliceScattering& scattering)
+Error ScatteringUpdater::MakePhaseFunction(const Settings& settings, SliceScattering& scattering)
 {
   this->Phase.SetIsotropic();
   Error error;
@@ -164,7 +164,7 @@ Error ScatteringUpdater::SetPhase(const Settings& settings, SliceScattering& sca
   }
   scattering.Kind = kind;
   scattering.Anisotropy = settings.Anisotropy;
-  Error error = this->MakePhase(settings, scattering);
+  Error error = this->MakePhaseFunction(settings, scattering);
   ++this->Version;
   this->Key = NoKey;
   this->Mode = error ? Settings::NO_SCATTERING : scattering.Mode;
@@ -174,7 +174,7 @@ Error ScatteringUpdater::SetPhase(const Settings& settings, SliceScattering& sca
   return error;
 }
 
-bool ScatteringUpdater::HasPhaseOf(const ScatteringUpdater& other) const
+bool ScatteringUpdater::HasSamePhaseFunction(const ScatteringUpdater& other) const
 {
   return this->Kind == other.Kind && this->TableTime == other.TableTime &&
     (this->Kind != Settings::HENYEY_GREENSTEIN_PHASE || this->Anisotropy == other.Anisotropy);
@@ -293,7 +293,7 @@ Error ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRenderState&
     return {};
   }
   Error error;
-  if (isRequired && other && other->Key == key && this->HasPhaseOf(*other))
+  if (isRequired && other && other->Key == key && this->HasSamePhaseFunction(*other))
   {
     frame.Scattering = *known;
     frame.Scattering.Brightness = settings.ScatteringBrightness;

@@ -59,13 +59,13 @@ public:
   int GetVersion() const { return this->Version; }
 
 private:
-  Error MakePhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
+  Error MakePhaseFunction(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
   Error MakeField(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
     const std::vector<Volume>& volumes, const vtkShadowedSliceSettings& settings, int lightSamples);
   /// Rebuilds the grid if the medium of a volume has changed. Returns false if there is no medium.
   bool MakeGrid(const std::vector<Volume>& volumes);
   /// Returns true if \a other uses the same phase function.
-  bool HasPhaseOf(const ScatteringUpdater& other) const;
+  bool HasSamePhaseFunction(const ScatteringUpdater& other) const;
 
   PhaseFunction Phase;
   /// Inputs of the phase function.

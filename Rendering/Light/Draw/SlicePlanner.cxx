@@ -103,7 +103,7 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
 {
   const vtkIdType pixels = static_cast<vtkIdType>(image.Size[0]) * image.Size[1];
   vtkIdType bytes =
-    pixels * static_cast<vtkIdType>(sizeof(float)) * (image.Plan.HasFurtherImages() ? 9 : 5);
+    pixels * static_cast<vtkIdType>(sizeof(float)) * (image.Plan.HasMultipleImages() ? 9 : 5);
   for (std::size_t sweep = 0; sweep < image.Plan.Sweeps.size(); ++sweep)
   {
     // Each volume with thick fragments needs two layers per light buffer.
@@ -114,7 +114,8 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
     {
       const vtkIdType texels = static_cast<vtkIdType>(light.BufferSize) * light.BufferSize;
       bytes += static_cast<vtkIdType>(sizeof(float)) * image.GetLightChannels() *
-        ((light.IsWide ? 1 : 1 + 2 * thick) * texels + SliceLightBuffer::GetSoftTexels(light));
+        ((light.IsWide ? 1 : 1 + 2 * thick) * texels +
+          SliceLightBuffer::GetNumberOfSoftShadowTexels(light));
     }
   }
   return bytes;

@@ -269,7 +269,7 @@ Error SliceRenderer::UpdateScattering(vtkRenderer* renderer, const Volumes& volu
     {
       return error;
     }
-    other = volume->GetState().Scattering.HasField() && !other ? volume : other;
+    other = volume->GetState().Scattering.HasMaps() && !other ? volume : other;
   }
   return {};
 }

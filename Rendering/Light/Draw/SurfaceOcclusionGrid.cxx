@@ -7,7 +7,7 @@
 #include "Grid/ExtinctionGrid.h"
 #include "Grid/SurfaceVoxelizer.h"
 #include "Loader/OpenGLFunctions.h"
-#include "Loader/ScopedState.h"
+#include "Loader/ScopedGLState.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/ShaderFeatures.h"
 #include "Receivers/SliceScene.h"
@@ -64,7 +64,7 @@ std::vector<float> DrawFractions(vtkOpenGLRenderWindow* window, const SliceScene
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
   state->PushFramebufferBindings();
   {
-    const ScopedState scoped(state);
+    const ScopedGLState scoped(state);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDisable(GL_BLEND);
     state->vtkglDisable(GL_CULL_FACE);

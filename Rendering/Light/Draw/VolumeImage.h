@@ -47,7 +47,7 @@ public:
   /// Returns true if the image is part of a scene and End has not been called yet.
   bool IsInScene() const { return this->Scene != nullptr; }
   /// Returns true if the last image was rendered together with other volumes.
-  bool IsTogether() const { return this->Together != nullptr; }
+  bool IsRenderedTogether() const { return this->Together != nullptr; }
 
   /// Finishes the image after Draw, or after the entire scene has been rendered, and updates the
   /// mapper's report.

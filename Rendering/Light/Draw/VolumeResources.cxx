@@ -209,12 +209,12 @@ Error VolumeResources::Upload(vtkOpenGLRenderWindow* window)
 bool VolumeResources::AddScatteredLight(vtkOpenGLRenderWindow* window)
 {
   const SliceScattering& scattering = this->State.Scattering;
-  if (!scattering.HasField())
+  if (!scattering.HasMaps())
   {
     return false;
   }
   ScatteredLightTexture field;
-  field.Texture = this->GetTextures(window).GetScattered();
+  field.Texture = this->GetTextures(window).GetScatteredLightTexture();
   field.Nodes = scattering.Nodes;
   field.NodeFromWorld = scattering.NodeFromUnit * this->State.Space.GetUnitFromWorld();
   field.HasFluence = scattering.HasFluence;
@@ -308,7 +308,7 @@ void VolumeResources::SetReport(const SliceReport& shared, const std::string& fe
   this->Report = shared;
   this->Report.Features = features;
   this->Report.Blocks = this->State.Blocks.GetNumberOfBlocks();
-  this->Report.BlocksDrawn = this->State.Blocks.GetNumberVisible();
+  this->Report.BlocksDrawn = this->State.Blocks.GetNumberOfVisibleBlocks();
   this->Report.NonFiniteVoxels = this->State.Samples.NonFinite;
   this->Report.TextureBytes = this->GetTextureBytes();
   this->Report.UploadedBytes += this->UploadedBytes;

@@ -119,7 +119,7 @@ ScatteringLight GridLight::Make(const ExtinctionGrid& grid, const LightSource& l
       : glm::fract(number * glm::dvec2(0.7548776662, 0.5698402910)) - 0.5;
     const std::vector<glm::vec3> means =
       CellLight::Find(medium, grid.GetColorFractions(), TransformLight(grid, sources[i]),
-        hasFewSamples ? CellLight::CountRays(medium.Cells) : 1, offset);
+        hasFewSamples ? CellLight::GetRaysPerEdge(medium.Cells) : 1, offset);
     const GridColor color(grid, sources[i]);
     vtkSMPTools::For(0, static_cast<vtkIdType>(cells),
       [&](vtkIdType first, vtkIdType last)

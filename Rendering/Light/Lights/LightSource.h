@@ -58,7 +58,7 @@ struct LightSource
   std::array<glm::dvec3, 2> EmitterAxes{};
 
   /// Returns the homogeneous position of the light, or the direction to a directional light and 0.
-  glm::dvec4 GetHomogeneous() const
+  glm::dvec4 GetHomogeneousPosition() const
   {
     return this->IsPositional ? glm::dvec4(this->Position, 1.0) : glm::dvec4(-this->Direction, 0.0);
   }

@@ -80,7 +80,8 @@ bool LightBufferProjection::Bound(Window& window) const
   return true;
 }
 
-LightBufferProjection::Window LightBufferProjection::FitBox(const LightSource& source) const
+LightBufferProjection::Window LightBufferProjection::FitWindowToBoxes(
+  const LightSource& source) const
 {
   Window window;
   const glm::dvec3 toCenter = this->Center - source.Position;
@@ -117,7 +118,7 @@ LightBufferProjection::Window LightBufferProjection::FitBox(const LightSource& s
 
 // Computes the part of the screen through which light reaches the boxes. Returns false if there is
 // no such part.
-bool LightBufferProjection::FitScreen(const LightSource& source, Window& window) const
+bool LightBufferProjection::FitWindowToScreen(const LightSource& source, Window& window) const
 {
   const glm::dmat4& screen = source.ScreenFromUnit;
   window.IsPerspective = source.IsPositional;
@@ -185,18 +186,19 @@ int LightBufferProjection::GetSize(double texels, int smallest) const
   return std::max(std::min(rounded, this->Settings.LargestBufferSize), SmallestBuffer);
 }
 
-void LightBufferProjection::FitPlane(
+void LightBufferProjection::FitPlanarBuffer(
   const LightSource& source, SlicePlan::ShadowedLight& light) const
 {
-  this->FitPlane(source, light, 1.0, SmallestAutomatic);
+  this->FitPlanarBuffer(source, light, 1.0, SmallestAutomatic);
 }
 
-void LightBufferProjection::FitPlane(
+void LightBufferProjection::FitPlanarBuffer(
   const LightSource& source, SlicePlan::ShadowedLight& light, double fineness, int smallest) const
 {
-  Window window = this->FitBox(source);
+  Window window = this->FitWindowToBoxes(source);
   Window screen;
-  if (source.Projective && this->FitScreen(source, screen) && GetArea(screen) < GetArea(window))
+  if (source.Projective && this->FitWindowToScreen(source, screen) &&
+    GetArea(screen) < GetArea(window))
   {
     window = screen;
   }
@@ -266,7 +268,7 @@ bool LightBufferProjection::PlanSoftShadows(
   if (hasLayers)
   {
     const double texels = 0.5 * this->Settings.SmallerImageSize / light.BufferSize;
-    this->FitPlane(
+    this->FitPlanarBuffer(
       source, soft, std::min(std::max(texels, 1.0), LargestFineness), SmallestWithLayers);
   }
   const std::vector<EmitterSamples::Sample> samples = EmitterSamples::Make(source, count);
@@ -296,13 +298,13 @@ bool LightBufferProjection::PlanSoftShadows(
     if (hasLayers)
     {
       SlicePlan::ShadowedLight layer;
-      this->FitPlane(placed, layer);
+      this->FitPlanarBuffer(placed, layer);
       soft.Samples.push_back({ layer.BufferFromUnit, glm::dot(sample.Weight, glm::dvec3(1.0 / 3.0)),
-        placed.GetHomogeneous() });
+        placed.GetHomogeneousPosition() });
     }
   }
   soft.SoftMethod = this->Settings.SoftMethod;
-  soft.Center = source.GetHomogeneous();
+  soft.Center = source.GetHomogeneousPosition();
   light = soft;
   return true;
 }
@@ -313,11 +315,11 @@ void LightBufferProjection::Refine(const LightSource& source, SlicePlan::Shadowe
   const double fineness = std::min(texels, LargestFineness);
   if (fineness > 1.0)
   {
-    this->FitPlane(source, light, fineness, SmallestAutomatic);
+    this->FitPlanarBuffer(source, light, fineness, SmallestAutomatic);
   }
 }
 
-void LightBufferProjection::FitHalfSpace(
+void LightBufferProjection::FitHalfSpaceBuffer(
   const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const
 {
   const glm::dvec3 first = Perpendicular(normal, { 1.0, 0.0, 0.0 });

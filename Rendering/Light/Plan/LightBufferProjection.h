@@ -39,7 +39,7 @@ public:
     const std::vector<SlicePlan::SlicedVolume>& volumes, const SlicePlan::Settings& settings);
 
   /// Fits a planar buffer around the boxes.
-  void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const;
+  void FitPlanarBuffer(const LightSource& source, SlicePlan::ShadowedLight& light) const;
   /// Plans the soft shadows of an area light with the method in the settings. Call FitPlane first.
   /// Returns false and leaves the shadows hard if slices perpendicular to \a normal are seen
   /// edge-on from part of the emitter.
@@ -49,7 +49,7 @@ public:
   /// are no wider than a texel.
   void Refine(const LightSource& source, SlicePlan::ShadowedLight& light) const;
   /// Fits the buffer of a wide light at \a position to the half space that \a normal points into.
-  void FitHalfSpace(
+  void FitHalfSpaceBuffer(
     const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const;
 
 private:
@@ -66,12 +66,12 @@ private:
 
   static double GetArea(const Window& window);
   bool Bound(Window& window) const;
-  Window FitBox(const LightSource& source) const;
-  bool FitScreen(const LightSource& source, Window& window) const;
+  Window FitWindowToBoxes(const LightSource& source) const;
+  bool FitWindowToScreen(const LightSource& source, Window& window) const;
   int GetSize(double texels, int smallest) const;
   /// Fits a planar buffer. An automatic buffer has \a fineness texels per voxel and a size of at
   /// least \a smallest.
-  void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light, double fineness,
+  void FitPlanarBuffer(const LightSource& source, SlicePlan::ShadowedLight& light, double fineness,
     int smallest) const;
   /// Returns the minimum length of a voxel along \a direction over all volumes. \a extent is the
   /// extent of the buffer. If it is not 0, volume axes are ignored along which the entire volume is

@@ -36,14 +36,14 @@ LightGroup::Light::Light(int index, const LightSource& source, const BoxCorners&
   }
 }
 
-LightGroup::LightGroup(const ViewRange& view, const Light& light, double side)
+LightGroup::LightGroup(const CameraRays& view, const Light& light, double side)
   : Side(side)
   , Lights({ light })
 {
   this->FindNormal(view);
 }
 
-LightGroup LightGroup::Make(const ViewRange& view, const Light& light)
+LightGroup LightGroup::Make(const CameraRays& view, const Light& light)
 {
   const double side = glm::dot(view.Direction, light.Direction) >= -Perpendicularity ? 1.0 : -1.0;
   LightGroup own(view, light, side);
@@ -55,7 +55,7 @@ LightGroup LightGroup::Make(const ViewRange& view, const Light& light)
   return other.Ratio > own.Ratio ? other : own;
 }
 
-bool LightGroup::Join(const ViewRange& view, const Light& light, std::size_t maximum)
+bool LightGroup::Join(const CameraRays& view, const Light& light, std::size_t maximum)
 {
   if (this->Lights.size() >= maximum)
   {
@@ -82,7 +82,7 @@ double LightGroup::GetLightCosine() const
   return rays.GetRatio(this->Normal);
 }
 
-void LightGroup::FindNormal(const ViewRange& view)
+void LightGroup::FindNormal(const CameraRays& view)
 {
   SliceNormal normal;
   normal.Add(view.Rays, this->Side, SlicePlan::ViewCosine);

@@ -3,7 +3,7 @@
 #define interlume_LightGroup_h
 
 #include "Common/Vectors.h"
-#include "Plan/ViewRange.h"
+#include "Plan/CameraRays.h"
 #include "Space/BoxCorners.h"
 
 namespace interlume
@@ -32,11 +32,11 @@ public:
   /// Creates a group with one light. The sweep runs front to back if the light comes from the
   /// viewer's side, otherwise back to front. If no normal for that order suits both the view and
   /// the light, the order with the better normal is used.
-  static LightGroup Make(const ViewRange& view, const Light& light);
+  static LightGroup Make(const CameraRays& view, const Light& light);
 
   /// Adds the light if the group has fewer than \a maximum lights and one slice normal suits all of
   /// them. Returns true if the light was added.
-  bool Join(const ViewRange& view, const Light& light, std::size_t maximum);
+  bool Join(const CameraRays& view, const Light& light, std::size_t maximum);
 
   /// Returns true if the slices are drawn front to back.
   bool IsFrontToBack() const { return this->Side > 0.0; }
@@ -49,9 +49,9 @@ public:
   double GetLightCosine() const;
 
 private:
-  LightGroup(const ViewRange& view, const Light& light, double side);
+  LightGroup(const CameraRays& view, const Light& light, double side);
 
-  void FindNormal(const ViewRange& view);
+  void FindNormal(const CameraRays& view);
 
   /// 1 if the sweep runs front to back, -1 if it runs back to front.
   double Side;

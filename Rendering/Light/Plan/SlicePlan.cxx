@@ -4,7 +4,7 @@
 #include "Plan/LightBufferProjection.h"
 #include "Plan/LightGroup.h"
 #include "Plan/SliceNormal.h"
-#include "Plan/ViewRange.h"
+#include "Plan/CameraRays.h"
 #include "Space/BoxCorners.h"
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
@@ -26,7 +26,7 @@ constexpr double MinimumExtent = 1e-9;
 
 // Adds the light of \a own to a group with a suitable normal, preferably one with the same drawing
 // order, or appends \a own.
-void AddLight(const ViewRange& view, const LightGroup& own, std::size_t maximum,
+void AddLight(const CameraRays& view, const LightGroup& own, std::size_t maximum,
   std::vector<LightGroup>& groups)
 {
   for (const bool mustHaveSameOrder : { true, false })
@@ -58,8 +58,8 @@ int FindSweep(
 }
 
 // Adds a wide light to the sweeps along and against the normal that requires the fewest new sweeps.
-void AddWide(const ViewRange& view, const LightSource& source, int index, const BoxCorners& corners,
-  std::size_t maximum, const LightBufferProjection& projection,
+void AddWide(const CameraRays& view, const LightSource& source, int index,
+  const BoxCorners& corners, std::size_t maximum, const LightBufferProjection& projection,
   std::vector<SlicePlan::Sweep>& sweeps)
 {
   std::vector<glm::dvec3> normals;
@@ -106,7 +106,7 @@ void AddWide(const ViewRange& view, const LightSource& source, int index, const 
     }
     SlicePlan::ShadowedLight light;
     light.Light = index;
-    projection.FitHalfSpace(side, source.Position, light);
+    projection.FitHalfSpaceBuffer(side, source.Position, light);
     sweeps[static_cast<std::size_t>(sweep)].Lights.push_back(light);
   }
 }
@@ -225,7 +225,7 @@ void SlicePlan::Make(const Camera& eye, const std::vector<LightSource>& lights,
   {
     corners.Add(*volumes[i].Space, volumes[i].Box);
   }
-  const ViewRange view(eye, corners);
+  const CameraRays view(eye, corners);
   const LightBufferProjection projection(corners, volumes, settings);
   const auto maximum = static_cast<std::size_t>(std::max(settings.LightsOfSweep, 1));
 
@@ -265,7 +265,7 @@ void SlicePlan::Make(const Camera& eye, const std::vector<LightSource>& lights,
       ShadowedLight light;
       light.Light = member.Index;
       const LightSource& source = lights[static_cast<std::size_t>(member.Index)];
-      projection.FitPlane(source, light);
+      projection.FitPlanarBuffer(source, light);
       if (source.Area && settings.SoftMethod != HARD &&
         !projection.PlanSoftShadows(source, sweep.Normal, light))
       {

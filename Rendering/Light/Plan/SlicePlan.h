@@ -186,12 +186,12 @@ public:
     return sweep == 0 || (sweep == 1 && this->Sweeps[1].IsBehind);
   }
   /// Returns true if the sweep is the last one of its image.
-  bool IsLastOfImage(std::size_t sweep) const
+  bool IsLastInImage(std::size_t sweep) const
   {
     return sweep + 1 == this->Sweeps.size() || !this->Sweeps[sweep + 1].IsBehind;
   }
   /// Returns true if there is more than one image.
-  bool HasFurtherImages() const { return !this->IsInFirstImage(this->Sweeps.size() - 1); }
+  bool HasMultipleImages() const { return !this->IsInFirstImage(this->Sweeps.size() - 1); }
 
   /// Minimum cosine between a sweep's normal and the view rays, if achievable.
   static constexpr double ViewCosine = 0.5;

@@ -242,7 +242,7 @@ void ActorShader::SetUniforms(
   const bool hasVolumes = program->IsUniformUsed("sceneTransmittance");
   if (isDepthOnly)
   {
-    this->Occluders->ClearUniforms(program);
+    this->Occluders->DisableSampleShadows(program);
     // A map cannot be read while it is being drawn.
     for (const char* name : { "occluderDepths", "emitterDepths", "translucentLayers",
            "sceneTransmittance", "sceneDepth" })

@@ -223,11 +223,11 @@ Error SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
     : Error("The graphics card is out of memory for a texture.", ErrorCode::OutOfMemory);
 }
 
-Error SceneRenderer::DrawMaps(vtkRenderer* renderer)
+Error SceneRenderer::DrawShadowMaps(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   Error error =
-    this->UpdateContext(window).Then([&] { return this->DrawTranslucentMaps(renderer); });
+    this->UpdateContext(window).Then([&] { return this->DrawTranslucentShadowMaps(renderer); });
   if (!this->Maps.HasViews() || error)
   {
     this->Maps.ReleaseGraphicsResources(window);
@@ -292,7 +292,7 @@ Error SceneRenderer::DrawEyeDepth(vtkRenderer* renderer, int channels)
   return {};
 }
 
-Error SceneRenderer::DrawTranslucentMaps(vtkRenderer* renderer)
+Error SceneRenderer::DrawTranslucentShadowMaps(vtkRenderer* renderer)
 {
   const int views = static_cast<int>(this->TranslucentViews.GetViews().size());
   this->Report.TranslucentActors = static_cast<int>(this->Translucent.size());
@@ -383,8 +383,8 @@ void SceneRenderer::ShadeLayer(vtkRenderer* renderer, std::size_t layer)
   this->Deactivate();
 }
 
-Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
-  const std::function<void()>& showVolumes)
+Error SceneRenderer::DrawInDepthOrder(vtkRenderer* renderer,
+  const std::function<void()>& drawVolumes, const std::function<void()>& showVolumes)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!this->IsLayered)
@@ -434,7 +434,7 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
   return {};
 }
 
-void SceneRenderer::MakeShader(vtkRenderer* renderer, bool isShadowed)
+void SceneRenderer::UpdatePropShaders(vtkRenderer* renderer, bool isShadowed)
 {
   this->Report.PixelsInFrontOfVolumes = this->Scene.PixelsInFront;
   this->Report.PixelsInsideVolumes = this->Scene.PixelsInside;
@@ -451,12 +451,12 @@ void SceneRenderer::MakeShader(vtkRenderer* renderer, bool isShadowed)
     this->Transmittance.ReleaseGraphicsResources(window);
   }
   this->Fields.Set(isShadowed ? this->Scene.Fields : std::vector<ScatteredLightTexture>());
-  this->ReportFields();
+  this->ReportScattering();
   this->UpdateShader(renderer, isShadowed);
   this->Report.Images = this->Screens.GetNumber();
 }
 
-void SceneRenderer::ReportFields()
+void SceneRenderer::ReportScattering()
 {
   const std::vector<ScatteredLightTexture>& fields = this->Fields.Get();
   for (const ScatteredLightTexture& field : fields)
@@ -571,7 +571,7 @@ void SceneRenderer::Replace(std::string& fragmentShader, vtkProp* prop)
   this->Layering.Replace(fragmentShader);
 }
 
-std::vector<vtkProp*> SceneRenderer::ConsumeUnsliced()
+std::vector<vtkProp*> SceneRenderer::PopNonPeelableActors()
 {
   std::vector<vtkProp*> unsliced;
   std::copy_if(this->Unsliced.begin(), this->Unsliced.end(), std::back_inserter(unsliced),
@@ -579,7 +579,7 @@ std::vector<vtkProp*> SceneRenderer::ConsumeUnsliced()
   return unsliced;
 }
 
-std::vector<vtkProp*> SceneRenderer::ConsumeUnreached()
+std::vector<vtkProp*> SceneRenderer::PopUnshadowedActors()
 {
   std::vector<vtkProp*> unreached;
   for (vtkProp* prop : this->Opaque)

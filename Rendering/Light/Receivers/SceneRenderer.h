@@ -75,7 +75,7 @@ public:
 
   /// Draws the shadow maps of opaque and translucent surfaces. Returns an error if the maps cannot
   /// be drawn.
-  Error DrawMaps(vtkRenderer* renderer);
+  Error DrawShadowMaps(vtkRenderer* renderer);
   /// Draws the depth buffer of the camera's view if there are surfaces. \a channels is the number
   /// of color channels of the volumes' light. Returns an error if the GPU runs out of memory.
   Error DrawEyeDepth(vtkRenderer* renderer, int channels);
@@ -86,13 +86,13 @@ public:
    * over the bound framebuffer. If no translucent surfaces are in view, only calls \a drawVolumes.
    * Returns an error if the surfaces cannot be drawn.
    */
-  Error DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
+  Error DrawInDepthOrder(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
     const std::function<void()>& showVolumes);
 
   /// Returns the input and output of the volumes in this frame. Call DrawEyeDepth first.
   SliceScene& GetScene() { return this->Scene; }
   /// Updates the shaders of props. Pass false for \a isShadowed after an error.
-  void MakeShader(vtkRenderer* renderer, bool isShadowed);
+  void UpdatePropShaders(vtkRenderer* renderer, bool isShadowed);
 
   /// Binds the textures that the shaders of props read.
   void Activate();
@@ -108,10 +108,10 @@ public:
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop);
   /// Returns the opaque actors on which shadows could not be drawn. Each actor is returned only
   /// once.
-  std::vector<vtkProp*> ConsumeUnreached();
+  std::vector<vtkProp*> PopUnshadowedActors();
   /// Returns the translucent actors that are drawn before volumes and cast no shadows. Each actor
   /// is returned only once.
-  std::vector<vtkProp*> ConsumeUnsliced();
+  std::vector<vtkProp*> PopNonPeelableActors();
 
   /// Returns the report of the frame that Begin started. vtkShadowedScenePass completes it.
   SceneReport& GetReport() { return this->Report; }
@@ -132,13 +132,13 @@ private:
   /// Returns true if props without surfaces can hide volumes.
   bool SortProps(vtkRenderer* renderer, Boxes& boxes);
   Error UpdateContext(vtkOpenGLRenderWindow* window);
-  Error DrawTranslucentMaps(vtkRenderer* renderer);
+  Error DrawTranslucentShadowMaps(vtkRenderer* renderer);
   Error PeelLayers(vtkRenderer* renderer);
   void BeginSegment(std::size_t segment);
   void Deactivate();
   void ShadeLayer(vtkRenderer* renderer, std::size_t layer);
   void UpdateShader(vtkRenderer* renderer, bool isShadowed);
-  void ReportFields();
+  void ReportScattering();
 
   Request Settings;
   SceneReport Report;

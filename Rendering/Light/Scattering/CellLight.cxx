@@ -226,7 +226,7 @@ std::vector<Side> FindSides(const ScatteringMedium& medium, const ScatteringLigh
 
 }
 
-int CellLight::CountRays(const glm::ivec3& cells)
+int CellLight::GetRaysPerEdge(const glm::ivec3& cells)
 {
   constexpr double maximumRays = 4096.0;
   const double sides = static_cast<double>(cells.x) * cells.y +

@@ -31,7 +31,7 @@ namespace interlume
 namespace CellLight
 {
 /// Returns the number of rays along each edge of a cell face: 2, or up to 16 in small grids.
-int CountRays(const glm::ivec3& cells);
+int GetRaysPerEdge(const glm::ivec3& cells);
 /**
  * Returns the mean transmittance of each cell. \a fractions holds the fraction of each cell's
  * extinction that affects red, green and blue; if it is empty, all extinction affects each channel.

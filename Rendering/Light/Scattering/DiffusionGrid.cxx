@@ -217,7 +217,7 @@ void DiffusionGrid::Multiply(
     });
 }
 
-void DiffusionGrid::Cycle(std::size_t number)
+void DiffusionGrid::RunVCycle(std::size_t number)
 {
   Level& level = this->Levels[number];
   std::fill(level.Solution.begin(), level.Solution.end(), 0.0);
@@ -259,7 +259,7 @@ void DiffusionGrid::Cycle(std::size_t number)
         }
       }
     });
-  this->Cycle(number + 1);
+  this->RunVCycle(number + 1);
   ForLayers(cells,
     [&](int k)
     {
@@ -298,7 +298,7 @@ double DiffusionGrid::Solve(const std::vector<double>& b, std::vector<double>& x
   while (left > tolerance && cycles < maximumCycles)
   {
     fine.Source = residual;
-    this->Cycle(0);
+    this->RunVCycle(0);
     const double product = Product(cells, residual, fine.Solution);
     Combine(cells, before > 0.0 ? product / before : 0.0, direction, 1.0, fine.Solution);
     before = product;

@@ -61,7 +61,7 @@ private:
     const Level& level, const std::vector<double>& x, int i, int j, int k);
   static void Smooth(Level& level, int color);
   static void Multiply(const Level& level, const std::vector<double>& x, std::vector<double>& y);
-  void Cycle(std::size_t level);
+  void RunVCycle(std::size_t level);
 
   std::vector<Level> Levels;
 };

@@ -367,7 +367,7 @@ void EscapeRays::Sums::Scale(const glm::dvec3& factor)
 
 void EscapeRays::Sums::ScaleTo(const glm::dvec3& sent)
 {
-  const glm::dvec3 found = this->Recaptured + this->GetOut();
+  const glm::dvec3 found = this->Recaptured + this->GetEscaped();
   glm::dvec3 factor(1.0);
   for (int color = 0; color < 3; ++color)
   {
@@ -378,9 +378,9 @@ void EscapeRays::Sums::ScaleTo(const glm::dvec3& sent)
   this->Scale(factor);
 }
 
-void EscapeRays::Sums::ScaleOut(double medium)
+void EscapeRays::Sums::CorrectOpticalDepth(double medium)
 {
-  const glm::dvec3 out = this->GetOut();
+  const glm::dvec3 out = this->GetEscaped();
   glm::dvec3 factor(1.0);
   for (int color = 0; color < 3; ++color)
   {
@@ -437,7 +437,7 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const SanitizedMedium& medium,
     }
     else
     {
-      sums[i].ScaleOut(found > 0.0 ? present / found : 1.0);
+      sums[i].CorrectOpticalDepth(found > 0.0 ? present / found : 1.0);
     }
   }
   return sums;

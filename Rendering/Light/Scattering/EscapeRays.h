@@ -46,7 +46,7 @@ public:
     /// Light absorbed by blocked cells.
     glm::dvec3 Blocked{ 0.0 };
 
-    glm::dvec3 GetOut() const { return this->Backward + this->Forward + this->Blocked; }
+    glm::dvec3 GetEscaped() const { return this->Backward + this->Forward + this->Blocked; }
     void Add(const Sums& other);
     void Scale(const glm::dvec3& factor);
     /// Scales all parts by one factor so that their sum is \a sent.
@@ -54,7 +54,7 @@ public:
     /// Corrects for the optical depth that the rays miss. \a medium is the ratio of the true
     /// optical depth to the sampled one. The correction is proportional to the escaping fraction,
     /// because light escapes from thick media only near the surface.
-    void ScaleOut(double medium);
+    void CorrectOpticalDepth(double medium);
   };
 
   /// Traces several sources at once and returns the sums of each. \a direction separates the

@@ -46,7 +46,7 @@ std::vector<glm::vec3> LightSlopes::Find(
 {
   const ScatteringMedium& box = medium.Box;
   std::vector<glm::vec3> slopes(medium.Extinction.size(), glm::vec3(0.0f));
-  ForOccupiedCells(medium,
+  ForEachOccupiedCell(medium,
     [&](const glm::ivec3& cell, std::size_t at)
     {
       const double extinction = medium.Extinction[at];

@@ -16,7 +16,7 @@ namespace interlume
 /// Calls \a visit in parallel with the indices of each cell whose extinction is above 0: (i, j, k)
 /// and the linear index.
 template <typename Visitor>
-void ForOccupiedCells(const SanitizedMedium& medium, const Visitor& visit)
+void ForEachOccupiedCell(const SanitizedMedium& medium, const Visitor& visit)
 {
   const ScatteringMedium& box = medium.Box;
   vtkSMPTools::For(0, box.Cells.z,

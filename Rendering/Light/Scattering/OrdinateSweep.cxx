@@ -54,7 +54,7 @@ std::vector<Source> MakeSources(const SanitizedMedium& medium, const DiffuseLigh
   const auto isotropic = static_cast<float>(1.0 - input.Peak);
   const auto linear = static_cast<float>(3.0 * (input.Cosine - input.Peak));
   std::vector<Source> sources(medium.Extinction.size());
-  ForOccupiedCells(medium,
+  ForEachOccupiedCell(medium,
     [&](const glm::ivec3& cell, std::size_t at)
     {
       const float extinction = medium.Extinction[at];

@@ -24,7 +24,7 @@ glm::dvec3 ScatteringLight::GetDirection(const glm::dvec3& position) const
 
 void ScatteringLight::Fill(const ScatteringMedium& medium, const glm::vec3& color)
 {
-  this->Direct = CellLight::Find(medium, {}, *this, CellLight::CountRays(medium.Cells));
+  this->Direct = CellLight::Find(medium, {}, *this, CellLight::GetRaysPerEdge(medium.Cells));
   for (glm::vec3& value : this->Direct)
   {
     value *= color;

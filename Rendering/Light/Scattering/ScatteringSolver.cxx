@@ -8,7 +8,7 @@
 #include "Scattering/LightSlopes.h"
 #include "Scattering/SanitizedMedium.h"
 #include "Scattering/OrdinateSweep.h"
-#include "Scattering/SingleEscape.h"
+#include "Scattering/SingleScatteringEscape.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -187,7 +187,7 @@ private:
   std::vector<EscapeRays::Sums> TraceLights(const std::vector<EscapeRays::Source>& others) const
   {
     const glm::dvec3 direction = this->GetMainDirection();
-    const SingleEscape single(this->Phase);
+    const SingleScatteringEscape single(this->Phase);
     std::vector<EscapeRays::Sums> sums;
     for (std::size_t i = 0; i < this->Medium.Lights.size(); ++i)
     {
@@ -230,7 +230,7 @@ private:
       const glm::dvec3 needed =
         this->SumCells([&](std::size_t i)
           { return (1.0 - glm::dvec3(this->Medium.Albedo[i])) * glm::dvec3(forward[i]); }) +
-        sums[lights + light].GetOut();
+        sums[lights + light].GetEscaped();
       glm::dvec3& scale = this->ForwardScale[light];
       for (int color = 0; color < 3; ++color)
       {
@@ -296,7 +296,7 @@ private:
       dropped += this->Medium.CellVolume * diffuse.Drop[i] * glm::dvec3(diffuse.Mean[i]);
     }
     glm::dvec3 factor(0.0);
-    const glm::dvec3 lost = sums.back().GetOut() + absorbed + dropped;
+    const glm::dvec3 lost = sums.back().GetEscaped() + absorbed + dropped;
     for (int color = 0; color < 3; ++color)
     {
       factor[color] = lost[color] > 0.0 ? recaptured[color] / lost[color] : 0.0;
@@ -317,7 +317,7 @@ private:
       this->Medium, this->Phase, { this->GetSource(diffuse) }, this->GetMainDirection())
                                    .front();
     this->ReportOut(out, glm::dvec3(1.0));
-    this->Report.Dropped += MeanOf(recaptured - factor * absorbed - out.GetOut());
+    this->Report.Dropped += MeanOf(recaptured - factor * absorbed - out.GetEscaped());
   }
 
   EscapeRays::Source GetSource(const DiffuseLight::Output& diffuse) const

@@ -31,7 +31,7 @@ struct SliceScattering
   static constexpr int PhaseColumns = 4096;
 
   bool IsOn() const { return this->Mode != vtkShadowedSliceSettings::NO_SCATTERING; }
-  bool HasField() const { return !this->Texels.empty(); }
+  bool HasMaps() const { return !this->Texels.empty(); }
   /// Returns the index of a light's map, or 0 if it has no map.
   int GetForwardMap(const vtkLight* light) const
   {
@@ -40,10 +40,10 @@ struct SliceScattering
       ? 0
       : 2 + static_cast<int>(std::distance(this->ForwardLights.begin(), found));
   }
-  int GetMaps() const { return 2 + static_cast<int>(this->ForwardLights.size()); }
+  int GetNumberOfMaps() const { return 2 + static_cast<int>(this->ForwardLights.size()); }
   glm::ivec3 GetTextureSize() const
   {
-    return { this->Nodes.x, this->Nodes.y, this->Nodes.z * this->GetMaps() };
+    return { this->Nodes.x, this->Nodes.y, this->Nodes.z * this->GetNumberOfMaps() };
   }
 
   /// See vtkShadowedSliceSettings::ScatteringModes and PhaseFunctions.

@@ -134,9 +134,9 @@ void AddScattering(const SliceScattering& scattering, SliceFeatures& features)
     features.Add("PHASE_TABLE");
     features.AddValue("PHASE_COLUMNS", SliceScattering::PhaseColumns);
   }
-  if (scattering.HasField())
+  if (scattering.HasMaps())
   {
-    features.AddValue("FIELD_MAPS", scattering.GetMaps());
+    features.AddValue("FIELD_MAPS", scattering.GetNumberOfMaps());
   }
 }
 
@@ -299,7 +299,7 @@ void SetLight(vtkShaderProgram* program, const LightSource& light, const Shadowe
 }
 }
 
-std::vector<int> SliceShader::GetLightsOf(const VolumeRenderState& frame, std::size_t sweep)
+std::vector<int> SliceShader::GetSweepLights(const VolumeRenderState& frame, std::size_t sweep)
 {
   std::vector<int> lights;
   if (!frame.IsLit())
@@ -364,7 +364,7 @@ bool SliceShader::HasThinPart(const VolumeRenderState& frame, std::size_t sweep)
     ThickDepth;
 }
 
-std::string SliceShader::GetEyeSource(
+std::string SliceShader::GetImageShaderSource(
   const VolumeRenderState& frame, std::size_t sweep, bool isOccluded, Parts part)
 {
   const ImageState& image = *frame.Image;
@@ -407,7 +407,7 @@ std::string SliceShader::GetEyeSource(
   }
   sources.Surfaces +=
     HasTranslucentShadows(frame) ? image.Scene->TranslucentMaps->GetSource(false) : std::string();
-  for (int light : GetLightsOf(frame, sweep))
+  for (int light : GetSweepLights(frame, sweep))
   {
     sources.Lights.push_back(AddLightOfImage(frame, sweep, light, sources.Lights.size(), features));
   }
@@ -415,7 +415,7 @@ std::string SliceShader::GetEyeSource(
   return features.MakeSource(sources);
 }
 
-std::string SliceShader::GetLightSource(
+std::string SliceShader::GetLightBufferShaderSource(
   const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light, bool isThick)
 {
   SliceFeatures features(SliceFeatures::LIGHT);
@@ -433,7 +433,7 @@ std::string SliceShader::GetLightSource(
   return features.MakeSource(sources);
 }
 
-std::string SliceShader::GetReceiverSource(
+std::string SliceShader::GetReceiverShaderSource(
   const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light)
 {
   SliceFeatures features(SliceFeatures::RECEIVER);
@@ -478,7 +478,7 @@ std::string SliceShader::GetNames(const VolumeRenderState& frame, bool isOcclude
   add(scattering.IsOn() && scattering.Kind == vtkShadowedSliceSettings::HENYEY_GREENSTEIN_PHASE,
     "anisotropy");
   add(scattering.IsOn() && scattering.Kind == vtkShadowedSliceSettings::TABLE_PHASE, "phase-table");
-  add(scattering.HasField(), "scattering-field");
+  add(scattering.HasMaps(), "scattering-field");
   add(HasTransmission(frame), "transmission");
   add(HasOccluders(frame), "casters");
   add(HasTranslucentShadows(frame), "panes");
@@ -502,7 +502,7 @@ std::string SliceShader::GetNames(const VolumeRenderState& frame, bool isOcclude
   return names;
 }
 
-void SliceShader::SetEyeUniforms(
+void SliceShader::SetImageUniforms(
   vtkShaderProgram* program, const VolumeRenderState& frame, std::size_t sweep)
 {
   const ImageState& image = *frame.Image;
@@ -528,7 +528,7 @@ void SliceShader::SetEyeUniforms(
     image.Scene->TranslucentMaps->SetUniforms(program, frame.Space.GetWorldFromUnit());
   }
   int number = 0;
-  for (int light : GetLightsOf(frame, sweep))
+  for (int light : GetSweepLights(frame, sweep))
   {
     SetLight(program, image.Lights[light], FindShadow(image.Plan.Sweeps[sweep], light),
       "_" + std::to_string(number++));

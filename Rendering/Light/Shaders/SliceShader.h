@@ -45,17 +45,17 @@ public:
    * Returns the source of the image fragment shader of a sweep. The first sweep also includes
    * ambient light and all lights without shadows.
    */
-  static std::string GetEyeSource(
+  static std::string GetImageShaderSource(
     const VolumeRenderState& frame, std::size_t sweep, bool isOccluded, Parts part);
   /// Returns the source of the fragment shader of a light buffer. The source differs per light, so
   /// that each program keeps its uniforms from slab to slab. \a isThick is true if the sweep has
   /// thick fragments.
-  static std::string GetLightSource(
+  static std::string GetLightBufferShaderSource(
     const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light, bool isThick);
 
   /// Returns the source of the shader for surfaces of a scene that receive light from the volumes.
   /// The source differs per light.
-  static std::string GetReceiverSource(
+  static std::string GetReceiverShaderSource(
     const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light);
 
   /// Returns the names of the features in use, for the report.
@@ -63,7 +63,7 @@ public:
 
   ///@{
   /// Set the uniforms that are constant over all slabs of a sweep.
-  static void SetEyeUniforms(
+  static void SetImageUniforms(
     vtkShaderProgram* program, const VolumeRenderState& frame, std::size_t sweep);
   static void SetLightUniforms(vtkShaderProgram* program, const VolumeRenderState& frame,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
@@ -75,7 +75,7 @@ public:
 
   /// Returns the lights evaluated by a sweep's image fragments, as indices into the image's list of
   /// lights. Lights with buffers come first, in buffer order.
-  static std::vector<int> GetLightsOf(const VolumeRenderState& frame, std::size_t sweep);
+  static std::vector<int> GetSweepLights(const VolumeRenderState& frame, std::size_t sweep);
 };
 
 }

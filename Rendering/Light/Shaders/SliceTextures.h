@@ -53,7 +53,7 @@ public:
   void SetMedium(vtkSliceMedium* medium) { this->Medium = medium; }
 
   /// Returns the texture of multiply scattered light. It has no handle if there is no such light.
-  vtkTextureObject* GetScattered() const { return this->Scattered; }
+  vtkTextureObject* GetScatteredLightTexture() const { return this->Scattered; }
 
   /// Returns the textures of the images of projective lights.
   ScreenTextures& GetScreens() { return this->Screens; }

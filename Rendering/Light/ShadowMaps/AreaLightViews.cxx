@@ -119,7 +119,7 @@ void AreaLightViews::FitPositional(const LightSource& source, const UnitSpace& s
   farthest *= 1.0 + ShadowMapView::Margin;
   if (isSeen)
   {
-    all.GrowAlong(farthest);
+    all.AddDepthMargins(farthest);
     this->Sides.push_back(toward);
   }
   else if (source.ConeCosine >= MINIMUM_CONE_COSINE)
@@ -129,7 +129,7 @@ void AreaLightViews::FitPositional(const LightSource& source, const UnitSpace& s
   }
   else
   {
-    all.SetSide(farthest, resolution);
+    all.SetCubeFace(farthest, resolution);
     light.Sides = 6;
     for (int side = 0; side < light.Sides; ++side)
     {
@@ -142,7 +142,7 @@ void AreaLightViews::FitPositional(const LightSource& source, const UnitSpace& s
     Window window = isSeen ? windows[i] : all;
     if (isSeen)
     {
-      window.GrowAcross(1e-6);
+      window.AddSideMargins(1e-6);
       window.Along = all.Along;
     }
     this->AddWindow(light, window, (positions[i] - center) / space.Radius, samples[i].Weight, 1.0);
@@ -166,7 +166,7 @@ void AreaLightViews::Fit(const std::vector<LightSource>& lights, const UnitSpace
   const std::vector<glm::dvec3> corners = ShadowMapView::GetCorners(occluders);
   for (const LightSource& source : lights)
   {
-    if (!ShadowMapViews::Casts(source) || !source.Area || corners.empty())
+    if (!ShadowMapViews::CastsShadows(source) || !source.Area || corners.empty())
     {
       continue;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowMaps/PropDepths.h"
 
-#include "Loader/ScopedState.h"
+#include "Loader/ScopedGLState.h"
 #include "Offscreen/FloatTexture.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -47,7 +47,7 @@ void PropDepths::Draw(
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   {
-    const ScopedState scoped(state);
+    const ScopedGLState scoped(state);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDisable(GL_BLEND);
     state->vtkglEnable(GL_SCISSOR_TEST);

@@ -184,7 +184,7 @@ void SceneOccluders::SetEmitterUniforms(
   this->AddBias(program, 0.0);
 }
 
-void SceneOccluders::ClearUniforms(vtkShaderProgram* program) const
+void SceneOccluders::DisableSampleShadows(vtkShaderProgram* program) const
 {
   ShaderUniforms(program).Set(
     "emitters", std::vector<glm::vec4>(5 * this->Emitters.GetLights().size(), glm::vec4(0.0F)));
@@ -192,7 +192,7 @@ void SceneOccluders::ClearUniforms(vtkShaderProgram* program) const
 
 void SceneOccluders::AddBias(vtkShaderProgram* program, double texels) const
 {
-  const ShadowMapAtlas& maps = this->EmitterMaps.GetTiles();
+  const ShadowMapAtlas& maps = this->EmitterMaps.GetAtlas();
   ShaderUniforms(program).Set(
     "emitterTiles", glm::dvec3(maps.GetColumns(), maps.GetResolution(), maps.GetBias() + texels));
 }

@@ -71,7 +71,7 @@ public:
   void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPosition) const;
   /// Sets the number of samples to 0 in a program that only draws depths, to avoid useless shadow
   /// map comparisons.
-  void ClearUniforms(vtkShaderProgram* program) const;
+  void DisableSampleShadows(vtkShaderProgram* program) const;
   /// Adds the width of \a texels texels to the depth bias of the maps of area light samples. Use
   /// this for surfaces whose plane is unknown.
   void AddBias(vtkShaderProgram* program, double texels) const;

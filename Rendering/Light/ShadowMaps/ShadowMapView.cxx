@@ -19,7 +19,7 @@ glm::dmat4 MakeLightFromWorld(const glm::dvec3& origin, const ShadowMapView::Axe
 }
 }
 
-void ShadowMapView::Window::GrowAcross(double minimum)
+void ShadowMapView::Window::AddSideMargins(double minimum)
 {
   for (Range* range : { &this->Right, &this->Up })
   {
@@ -27,13 +27,13 @@ void ShadowMapView::Window::GrowAcross(double minimum)
   }
 }
 
-void ShadowMapView::Window::GrowAlong(double farthest)
+void ShadowMapView::Window::AddDepthMargins(double farthest)
 {
   this->Along.First = std::max(this->Along.First * (1.0 - Margin), Nearest * farthest);
   this->Along.Last = std::max(this->Along.Last, this->Along.First) * (1.0 + Margin);
 }
 
-void ShadowMapView::Window::SetSide(double farthest, int resolution)
+void ShadowMapView::Window::SetCubeFace(double farthest, int resolution)
 {
   const double reach = 1.0 + 4.0 / resolution;
   this->Along = Range{ Nearest * farthest, farthest };
@@ -44,7 +44,7 @@ void ShadowMapView::Window::SetCone(double farthest, double tangent, int resolut
 {
   this->Along = Range{ Nearest * farthest, farthest };
   this->Right = this->Up = Range{ -tangent, tangent };
-  this->GrowAcross(2.0 * tangent / resolution);
+  this->AddSideMargins(2.0 * tangent / resolution);
 }
 
 glm::dvec2 ShadowMapView::Window::GetDepth(bool isPerspective) const
@@ -109,7 +109,7 @@ ShadowMapView::Window ShadowMapView::FindWindow(const glm::dvec3& origin, const 
     window.Up.Add(glm::dot(offset, axes.Up) - shear.y * along);
     window.Along.Add(along);
   }
-  window.GrowAcross(1e-6 * size);
+  window.AddSideMargins(1e-6 * size);
   window.Along.Grow(std::max(Margin * window.Along.GetSize(), 1e-4 * size));
   return window;
 }

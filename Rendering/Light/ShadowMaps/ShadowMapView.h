@@ -77,13 +77,13 @@ struct ShadowMapView
 
     /// Extends the ranges perpendicular to the axis by a small margin, at least \a minimum, at both
     /// ends.
-    void GrowAcross(double minimum);
+    void AddSideMargins(double minimum);
     /// Extends the range along the axis of a positional light. \a farthest is the distance from the
     /// light to the farthest corner of a surface's bounds.
-    void GrowAlong(double farthest);
+    void AddDepthMargins(double farthest);
     /// Sets the window of one face of a cube around the light. It extends two texels past the edges
     /// of the face, for interpolation.
-    void SetSide(double farthest, int resolution);
+    void SetCubeFace(double farthest, int resolution);
     /// Sets the window of a spotlight. \a tangent is the tangent of the half angle of its cone.
     void SetCone(double farthest, double tangent, int resolution);
     /// Returns the coefficients A and B of the depth, defined in ShadowMapView.

@@ -45,8 +45,8 @@ void FitPositional(const LightSource& source, const UnitSpace& space,
   const Axes toward(UnitVector::Normalize(meanOffset, source.Direction));
   if (ShadowMapView::FindWindow(position, toward, corners, window))
   {
-    window.GrowAcross(1e-6);
-    window.GrowAlong(farthest);
+    window.AddSideMargins(1e-6);
+    window.AddDepthMargins(farthest);
     views.push_back(ShadowMapView::Make(position, toward, window, true, resolution));
     return;
   }
@@ -60,7 +60,7 @@ void FitPositional(const LightSource& source, const UnitSpace& space,
       ShadowMapView::Make(position, Axes(source.Direction), window, true, resolution));
     return;
   }
-  window.SetSide(farthest, resolution);
+  window.SetCubeFace(farthest, resolution);
   for (int side = 0; side < 6; ++side)
   {
     views.push_back(
@@ -69,7 +69,7 @@ void FitPositional(const LightSource& source, const UnitSpace& space,
 }
 }
 
-bool ShadowMapViews::Casts(const LightSource& source)
+bool ShadowMapViews::CastsShadows(const LightSource& source)
 {
   return source.ShadowStrength > 0.0 && !source.Light->LightTypeIsHeadlight();
 }
@@ -82,7 +82,7 @@ void ShadowMapViews::Fit(const std::vector<LightSource>& lights, const UnitSpace
   const std::vector<glm::dvec3> corners = ShadowMapView::GetCorners(occluders);
   for (const LightSource& source : lights)
   {
-    if (!Casts(source) || source.Area || corners.empty())
+    if (!CastsShadows(source) || source.Area || corners.empty())
     {
       continue;
     }

@@ -36,7 +36,7 @@ public:
 
   /// Returns true if the light casts shadows of surfaces. Headlights are excluded because the
   /// camera cannot see their shadows.
-  static bool Casts(const LightSource& source);
+  static bool CastsShadows(const LightSource& source);
 
   /**
    * Finds the views of all shadow-casting lights except area lights. \a lights are given in \a

@@ -51,7 +51,7 @@ public:
 
   vtkTextureObject* GetTexture() const { return this->Depths.GetTexture(); }
   vtkIdType GetBytes() const { return this->Depths.GetBytes(); }
-  const ShadowMapAtlas& GetTiles() const { return this->Tiles; }
+  const ShadowMapAtlas& GetAtlas() const { return this->Tiles; }
 
   /// Returns the macros that InterlumeSceneShadowMaps.glsl requires.
   std::string GetFeatures() const;

@@ -52,7 +52,7 @@ bool Invert(const glm::dmat3& linear, glm::dmat3& inverse)
 
 }
 
-bool UnitSpace::SetTexels(
+bool UnitSpace::SetTexelGrid(
   vtkImageData* image, bool isOfCells, glm::dvec3& firstIndex, glm::dvec3& centerIndex)
 {
   int extent[6];
@@ -96,7 +96,7 @@ Error UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFro
 {
   glm::dvec3 first;
   glm::dvec3 index;
-  if (!this->SetTexels(image, isOfCells, first, index))
+  if (!this->SetTexelGrid(image, isOfCells, first, index))
   {
     return "The image has no samples.";
   }

@@ -67,7 +67,7 @@ public:
 private:
   /// Sets Size and Box, and finds the image indices at texture coordinates of 0 and at the center.
   /// Returns false if there are no samples.
-  bool SetTexels(
+  bool SetTexelGrid(
     vtkImageData* image, bool isOfCells, glm::dvec3& firstIndex, glm::dvec3& centerIndex);
   void SetSphere(const glm::dmat4& worldFromTexture, const glm::dvec3& center);
 };

@@ -64,7 +64,7 @@ bool ImageUpsampler::Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image
   {
     front->Activate();
   }
-  this->Quad.DrawWith(window, image,
+  this->Quad.DrawWithShader(window, image,
     ShaderFeatures::Insert(InterlumeSliceShowFS, front ? "FRONT" : ""),
     [&](vtkShaderProgram* program)
     {

@@ -3,7 +3,7 @@
 
 #include "ShadowMaps/SceneOccluders.h"
 #include "Common/Vectors.h"
-#include "Loader/ScopedState.h"
+#include "Loader/ScopedGLState.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/SceneDepth.h"
 #include "Receivers/SliceScene.h"
@@ -66,7 +66,7 @@ Error SliceRasterizer::PrepareImage()
   }
   report.ImageBuffers = 1;
   report.ImageBufferBytes = bytes;
-  if (this->State->Plan.HasFurtherImages())
+  if (this->State->Plan.HasMultipleImages())
   {
     bytes = FloatTexture::Allocate(window, this->SweepImage, width, height, 4, false);
     if (bytes == 0)
@@ -188,7 +188,7 @@ void SliceRasterizer::UpdateOpaqueDepth(vtkRenderer* renderer)
 Error SliceRasterizer::DrawSweeps()
 {
   vtkOpenGLState* state = this->Window->GetState();
-  const ScopedState scoped(state);
+  const ScopedGLState scoped(state);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -200,9 +200,9 @@ Error SliceRasterizer::DrawSweeps()
   for (std::size_t i = 0; i < plan.Sweeps.size() && !error; ++i)
   {
     error = this->DrawSweep(i);
-    if (!error && plan.IsLastOfImage(i) && !plan.IsInFirstImage(i))
+    if (!error && plan.IsLastInImage(i) && !plan.IsInFirstImage(i))
     {
-      this->AddSweep();
+      this->AddSweepImage();
     }
   }
   return error;
@@ -231,7 +231,7 @@ Error SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image,
     ++report.LightBuffers;
     report.LightBufferBytes += buffer->GetBytes();
     report.LightLayers += buffer->GetNumberOfSampleLayers();
-    report.SoftShadowBytes += buffer->GetSoftBytes();
+    report.SoftShadowBytes += buffer->GetSoftShadowBytes();
     report.LightBufferSize =
       std::max(report.LightBufferSize, static_cast<int>(buffer->GetTexture()->GetWidth()));
     report.LightChannels = buffer->GetTexture()->GetComponents();
@@ -274,7 +274,7 @@ void SliceRasterizer::ActivateTextures(std::size_t sweepIndex, vtkShaderProgram*
   }
   const std::size_t shadowed = this->State->Plan.Sweeps[sweepIndex].Lights.size();
   std::size_t number = 0;
-  for (int light : SliceShader::GetLightsOf(this->Slices[0]->GetFrame(), sweepIndex))
+  for (int light : SliceShader::GetSweepLights(this->Slices[0]->GetFrame(), sweepIndex))
   {
     const std::string suffix = "_" + std::to_string(number);
     if (number < shadowed)
@@ -449,7 +449,7 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
     }
     if (this->HasThickPart)
     {
-      this->KeepLayers(sweep, slab);
+      this->UpdateLayers(sweep, slab);
     }
     if (isEmpty)
     {
@@ -485,7 +485,7 @@ void SliceRasterizer::BindVolume(std::size_t number)
 
 void SliceRasterizer::DrawReceivers(int slab)
 {
-  if (!this->HasReceivers || !this->Receivers.HasRemaining(slab))
+  if (!this->HasReceivers || !this->Receivers.HasRemainingPoints(slab))
   {
     return;
   }
@@ -525,7 +525,7 @@ void SliceRasterizer::DrawSlab(const Sweep& sweep, int slab)
   }
 }
 
-void SliceRasterizer::KeepLayers(const Sweep& sweep, int slab)
+void SliceRasterizer::UpdateLayers(const Sweep& sweep, int slab)
 {
   for (std::size_t volume = 0; volume < this->Slices.size(); ++volume)
   {
@@ -533,7 +533,7 @@ void SliceRasterizer::KeepLayers(const Sweep& sweep, int slab)
     for (std::size_t i = 0; i < sweep.Lights.size() && slices.HasThickPart(); ++i)
     {
       SliceLightBuffer& buffer = this->GetLightBuffer(sweep.Lights[i].Light);
-      if (sweep.Lights[i].IsWide || !buffer.KeepLayer(slab, slices.IsEmpty(slab), volume))
+      if (sweep.Lights[i].IsWide || !buffer.UpdateLayer(slab, slices.IsEmpty(slab), volume))
       {
         continue;
       }
@@ -553,7 +553,7 @@ void SliceRasterizer::KeepLayers(const Sweep& sweep, int slab)
   }
 }
 
-void SliceRasterizer::AddSweep()
+void SliceRasterizer::AddSweepImage()
 {
   // Add only the colors: each image contains the contributions of different lights, but all images
   // have the same opacity.

@@ -8,7 +8,7 @@
 #include "Common/Error.h"
 #include "Offscreen/ImageQuad.h"
 #include "Offscreen/PropSelection.h"
-#include "Plan/SlabOrder.h"
+#include "Plan/VolumeOrder.h"
 #include "Shaders/SliceTextures.h"
 #include "Shaders/VolumeRenderState.h"
 #include "Sweeps/ImageUpsampler.h"
@@ -39,7 +39,7 @@ struct SliceReport;
  *
  * Several volumes may share the slices. In each slab, the volumes are drawn one after the other,
  * each into the image and then into the light buffers. A volume is therefore in the shadow of the
- * volumes drawn before it. SlabOrder determines their order.
+ * volumes drawn before it. VolumeOrder determines their order.
  *
  * The image buffer contains premultiplied color and opacity in single precision. It stores opacity
  * instead of transmittance because small opacities keep their precision over thousands of thin
@@ -111,7 +111,7 @@ private:
   bool IsEmpty(int slab) const;
   /// Updates the layers of the light buffers. Call this before each slab, even if the slab is empty
   /// and therefore not drawn.
-  void KeepLayers(const SlicePlan::Sweep& sweep, int slab);
+  void UpdateLayers(const SlicePlan::Sweep& sweep, int slab);
   /// Draws a nonempty slab: first the surfaces of the scene, then each volume into the image and
   /// into the light buffers.
   void DrawSlab(const SlicePlan::Sweep& sweep, int slab);
@@ -119,7 +119,7 @@ private:
   void DrawReceivers(int slab);
   /// Binds the textures of a volume in place of the bound volume's textures.
   void BindVolume(std::size_t number);
-  void AddSweep();
+  void AddSweepImage();
 
   ///@{
   /// Arguments of Draw.
@@ -130,7 +130,7 @@ private:
   std::vector<std::unique_ptr<VolumeSlices>> Slices;
   /// Index of the volume whose textures are bound.
   std::size_t Bound = 0;
-  SlabOrder Order;
+  VolumeOrder Order;
   vtkNew<vtkOpenGLFramebufferObject> ImageFramebuffer;
   vtkNew<vtkTextureObject> Image;
   vtkNew<vtkTextureObject> SweepImage;

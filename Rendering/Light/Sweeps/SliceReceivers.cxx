@@ -38,7 +38,7 @@ public:
   {
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
-      this->Sources.push_back(frame.Image->Lights[light.Light].GetHomogeneous());
+      this->Sources.push_back(frame.Image->Lights[light.Light].GetHomogeneousPosition());
     }
     for (const SlicePlan::ShadowedLight& light : sweep.Lights)
     {
@@ -206,7 +206,7 @@ Error SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slice
     }
     light.Pass = std::make_unique<SlicePass>();
     if (Error error = light.Pass->Prepare(
-          window, SliceShader::GetReceiverSource(frame, shadowed), this->Vertices))
+          window, SliceShader::GetReceiverShaderSource(frame, shadowed), this->Vertices))
     {
       return error;
     }
@@ -230,7 +230,7 @@ Error SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slice
   return {};
 }
 
-bool SliceReceivers::HasRemaining(int slab) const
+bool SliceReceivers::HasRemainingPoints(int slab) const
 {
   return this->Next < this->Starts[static_cast<std::size_t>(slab) + 1];
 }

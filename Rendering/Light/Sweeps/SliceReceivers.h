@@ -54,7 +54,7 @@ public:
 
   /// Returns true if points up to the end of \a slab have not been drawn yet. In this method, Draw
   /// and Pass, \a slab may be the number of slabs, to include the points behind the last slab.
-  bool HasRemaining(int slab) const;
+  bool HasRemainingPoints(int slab) const;
   /// Multiplies the transmittance at the remaining points up to the end of \a slab by that of a
   /// volume. Call it before the light buffers are attenuated by \a slab. Returns the number of
   /// passes over the sample layers.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Translucent/LayerTarget.h"
 
-#include "Loader/ScopedState.h"
+#include "Loader/ScopedGLState.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -21,7 +21,7 @@ void LayerTarget::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   {
-    const ScopedState scoped(state);
+    const ScopedGLState scoped(state);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglEnable(GL_SCISSOR_TEST);

@@ -138,7 +138,7 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
   this->Offset[row] = samples.Offset[component];
   this->ScalarRange[row] = FindTableRange(samples, component);
   this->Opacities[row] = GetNodes(property->GetScalarOpacity(row), this->ScalarRange[row], 0.5);
-  this->OpacityRange[row] = this->Opacities[row].Limit(this->ScalarRange[row]);
+  this->OpacityRange[row] = this->Opacities[row].ClipRange(this->ScalarRange[row]);
   const double unit = this->UnitDistance[row];
   const double weight = this->Weight[row];
   const TransferColumns::Mapping mapping{ [&](double opacity)
@@ -157,7 +157,7 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
   const TransferNodes colors = this->Kind == RGB_OPACITY ? TransferNodes(scalars, 1.0, 1.0)
     : scattering.Albedo                                  ? GetNodes(scattering.Albedo, scalars, 1.0)
                                                          : GetColorNodes(property, row, scalars);
-  this->ColorRange[row] = colors.Limit(scalars);
+  this->ColorRange[row] = colors.ClipRange(scalars);
   if (transmission)
   {
     // The color and transmission functions are sampled over one common range. A transmission
@@ -165,7 +165,7 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
     const TransferNodes transmissions = transmission->GetSize() > 0
       ? TransferNodes(transmission)
       : TransferNodes(this->ColorRange[row], 0.0, 0.0);
-    const Range range = transmissions.Limit(scalars);
+    const Range range = transmissions.ClipRange(scalars);
     this->ColorRange[row] = { { std::min(this->ColorRange[row][0], range[0]),
       std::max(this->ColorRange[row][1], range[1]) } };
     TransferColumns columns(
@@ -210,7 +210,7 @@ void MaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
     if (property->HasGradientOpacity(row))
     {
       nodes = GetNodes(property->GetGradientOpacity(row), range, 0.5);
-      range[1] = nodes.Limit(range)[1];
+      range[1] = nodes.ClipRange(range)[1];
     }
     this->GradientRange[row] = range[1];
     const TransferColumns columns(nodes, TransferColumns::ONE, range, Clamped, this->Bends);

@@ -211,7 +211,7 @@ void TransferNodes::FindLargest()
   }
 }
 
-TransferNodes::Range TransferNodes::Limit(const Range& range) const
+TransferNodes::Range TransferNodes::ClipRange(const Range& range) const
 {
   const Node& first = this->Nodes.front();
   const Node& last = this->Nodes.back();

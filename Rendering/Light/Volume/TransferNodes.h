@@ -54,7 +54,7 @@ public:
   /// Returns the part of \a range between the first and last node, outside which the function is
   /// constant. If the function begins or ends with a step, the part extends past it by a margin. If
   /// the part is empty or too narrow, returns \a range.
-  Range Limit(const Range& range) const;
+  Range ClipRange(const Range& range) const;
 
   /// Returns true if the first channel changes only in steps in \a range. Ramps up to \a width wide
   /// count as steps.

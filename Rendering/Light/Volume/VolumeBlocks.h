@@ -40,7 +40,7 @@ public:
 
   const std::array<int, 3>& GetSize() const { return this->Size; }
   int GetNumberOfBlocks() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
-  int GetNumberVisible() const { return this->NumberVisible; }
+  int GetNumberOfVisibleBlocks() const { return this->NumberVisible; }
   bool IsVisible(int i, int j, int k) const
   {
     const auto row = static_cast<std::size_t>(k) * this->Size[1] + j;

@@ -51,7 +51,7 @@ void ImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     features.find("SELECTION") != std::string::npos);
 }
 
-void ImageQuad::DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+void ImageQuad::DrawWithShader(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   this->Render(window, texture, fragmentShader, setUniforms, false);

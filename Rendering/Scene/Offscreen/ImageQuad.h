@@ -69,7 +69,7 @@ public:
    * Draws with a custom fragment shader. The shader samples \a texture as `image` at `texCoord`, in
    * [0, 1]. \a setUniforms sets any other uniforms.
    */
-  void DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  void DrawWithShader(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     const std::string& fragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms = nullptr);
 

@@ -38,7 +38,7 @@ void PropSelection::Show(
   selector->BeginRenderProp();
   if (image && FindColor(selector, color.data()))
   {
-    this->Quad.DrawWith(window, image, InterlumePropSelectionFS,
+    this->Quad.DrawWithShader(window, image, InterlumePropSelectionFS,
       [&color](vtkShaderProgram* program)
       { program->SetUniform3f("selectionColor", color.data()); });
   }

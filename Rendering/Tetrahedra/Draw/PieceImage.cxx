@@ -150,7 +150,8 @@ std::vector<float> PieceImage::DrawLayers(const std::map<int, double>& prioritie
   return colors;
 }
 
-std::vector<bool> PieceImage::FindShown(const PieceExchange& exchange, std::vector<float>& depths)
+std::vector<bool> PieceImage::FindShownPixels(
+  const PieceExchange& exchange, std::vector<float>& depths)
 {
   const std::vector<float> local = depths;
   exchange.ReduceMin(depths);

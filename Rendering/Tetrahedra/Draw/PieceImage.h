@@ -49,7 +49,8 @@ public:
    * without a surface is shown by the first process. \a depths are the depths of this process's
    * surfaces, in [0, 1], and become the minimum over all processes.
    */
-  static std::vector<bool> FindShown(const PieceExchange& exchange, std::vector<float>& depths);
+  static std::vector<bool> FindShownPixels(
+    const PieceExchange& exchange, std::vector<float>& depths);
 
 private:
   /// Draws the sums or maxima of \a blend in this partition. If \a tetrahedra is not null, draws

@@ -116,7 +116,7 @@ Error TetrahedraRenderer::UpdateMesh(const Request& request, TetrahedraReport& r
     ++this->Frame.Versions.Mesh;
   }
   const std::vector<int> layers = this->Fields.Layers;
-  TetrahedraBuilder::BuildFields(arrays, this->Mesh, this->Fields);
+  TetrahedraBuilder::BuildDeltaTAndLayers(arrays, this->Mesh, this->Fields);
   if (layers != this->Fields.Layers)
   {
     this->Order.ResetLayers();
@@ -149,16 +149,16 @@ Error TetrahedraRenderer::UpdateColors(
   this->Property = property;
   this->PropertyTime = property->GetMTime();
   this->ColorUnit = unit;
-  this->HasOneColor = this->FindOneColor();
+  this->HasOneColor = this->HasSingleColor();
   ++this->Frame.Versions.Colors;
   return {};
 }
 
-bool TetrahedraRenderer::FindOneColor() const
+bool TetrahedraRenderer::HasSingleColor() const
 {
   if (this->Fields.Kind == TetrahedraFields::SCALARS)
   {
-    return this->Pieces.HasOneColor();
+    return this->Pieces.HasConstantColor();
   }
   const auto& colors = this->Fields.Colors;
   return std::all_of(colors.begin(), colors.end(),
@@ -182,7 +182,7 @@ void TetrahedraRenderer::ChooseBlend(const Request& request, TetrahedraReport& r
   }
 }
 
-void TetrahedraRenderer::ChoosePath(
+void TetrahedraRenderer::ChooseRenderPath(
   const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report)
 {
   report.RenderPath = request.Mapper->GetRenderPath();
@@ -256,7 +256,8 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
   report.Passes = 1;
   if (report.BlendMode == Mapper::PRIORITY_BLEND)
   {
-    order = this->Order.ComputeLayers(this->Fields.Layers, request.Mapper->GetLayerPriorities());
+    order =
+      this->Order.ComputeLayerOrder(this->Fields.Layers, request.Mapper->GetLayerPriorities());
     report.Layers = this->Order.GetNumberOfLayers();
     report.Passes = report.Layers;
   }
@@ -320,7 +321,7 @@ Error TetrahedraRenderer::UpdateFrame(
   {
     return error;
   }
-  report.TetrahedraClipped = this->Clip.GetNumberClipped();
+  report.TetrahedraClipped = this->Clip.GetNumberOfClippedTetrahedra();
 
   this->Frame.Mesh = &this->Mesh;
   this->Frame.Fields = &this->Fields;
@@ -388,8 +389,8 @@ TetrahedraRenderer::WindowResources& TetrahedraRenderer::GetResources(vtkWindow*
 void TetrahedraRenderer::CountTetrahedra(const Request& request, TetrahedraReport& report) const
 {
   report.Tetrahedra = request.Grid->GetNumberOfCells();
-  report.FlatTetrahedra = this->MeshBuilder.GetNumberOfFlat();
-  report.NonFiniteTetrahedra = this->MeshBuilder.GetNumberOfNonFinite();
+  report.FlatTetrahedra = this->MeshBuilder.GetNumberOfFlatTetrahedra();
+  report.NonFiniteTetrahedra = this->MeshBuilder.GetNumberOfNonFiniteTetrahedra();
 }
 
 Error TetrahedraRenderer::Render(
@@ -417,7 +418,7 @@ Error TetrahedraRenderer::Render(
     return error;
   }
   this->ChooseBlend(request, report);
-  this->ChoosePath(request, window, report);
+  this->ChooseRenderPath(request, window, report);
   this->ChooseShader(request, window, report);
   const int level = this->ChooseLevel(renderer, volume, request, report);
   error = this->UpdateFrame(renderer, volume, request, report);
@@ -480,7 +481,7 @@ void TetrahedraRenderer::DrawInSoftware(
     report.UploadedImageBytes = resources.Quad.Upload(window, this->Frame.View.GetWidth(),
       this->Frame.View.GetHeight(), this->Rasterizer.GetColors());
     resources.Drawn = state;
-    resources.NumberDrawn = this->Rasterizer.GetNumberDrawn();
+    resources.NumberDrawn = this->Rasterizer.GetNumberOfDrawnTetrahedra();
   }
   report.TetrahedraDrawn = resources.NumberDrawn;
   report.Buffers = 1;
@@ -562,7 +563,7 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
     const auto pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
     std::vector<float> depths = this->Depth.GetBuffer();
     depths.resize(all[1] != 0 ? pixels : 0, 1.0f);
-    const std::vector<bool> isShown = PieceImage::FindShown(pieces, depths);
+    const std::vector<bool> isShown = PieceImage::FindShownPixels(pieces, depths);
     this->Depth.SetBuffer(depths, size);
     if (hasPiece)
     {
@@ -580,7 +581,7 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
     }
     report.UploadedImageBytes = resources.Quad.Upload(&window, size[0], size[1], colors);
     resources.Drawn = state;
-    resources.NumberDrawn = hasPiece ? this->Rasterizer.GetNumberDrawn() : 0;
+    resources.NumberDrawn = hasPiece ? this->Rasterizer.GetNumberOfDrawnTetrahedra() : 0;
   }
   report.Features = hasPiece ? this->GetFeatures() : "";
   report.TetrahedraDrawn = resources.NumberDrawn;

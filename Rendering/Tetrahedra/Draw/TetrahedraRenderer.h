@@ -13,7 +13,7 @@
 #include "Order/BoundaryFaces.h"
 #include "Order/TetrahedraOrder.h"
 #include "Software/SoftwareRasterizer.h"
-#include "View/TetrahedraDepth.h"
+#include "View/OpaqueSceneDepth.h"
 
 #include "vtkType.h"
 
@@ -80,7 +80,8 @@ private:
   void CountTetrahedra(const Request& request, TetrahedraReport& report) const;
   Error UpdateColors(const Request& request, vtkVolumeProperty* property, double unit);
   void ChooseBlend(const Request& request, TetrahedraReport& report);
-  void ChoosePath(const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report);
+  void ChooseRenderPath(
+    const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report);
   void ChooseShader(
     const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report);
   void ChooseSort(const Request& request, TetrahedraReport& report);
@@ -95,7 +96,7 @@ private:
   Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
   void DrawFrame(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
-  bool FindOneColor() const;
+  bool HasSingleColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(const Request& request, TetrahedraReport& report);
   Error DrawWithOpenGL(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
@@ -143,11 +144,11 @@ private:
 
   TetrahedraMesh Mesh;
   TetrahedraFields Fields;
-  PiecewiseLinearTransfer Pieces;
+  PiecewiseLinearTransferFunction Pieces;
   interlume::MeshBuilder MeshBuilder;
   TetrahedraOrder Order;
   PlaneClip Clip;
-  TetrahedraDepth Depth;
+  OpaqueSceneDepth Depth;
   TetrahedraFrame Frame;
   SoftwareRasterizer Rasterizer;
   interlume::LevelOfDetail LevelOfDetail;

@@ -55,8 +55,8 @@ void BoundaryShading::Set(
     double focus[4] = { 0.0, 0.0, 0.0, 1.0 };
     light->GetTransformedPosition(position);
     light->GetTransformedFocalPoint(focus);
-    const glm::dvec3 eyePosition = view.GetEyeOfWorld(glm::make_vec4(position));
-    const glm::dvec3 toward = Normalized(eyePosition - view.GetEyeOfWorld(glm::make_vec4(focus)));
+    const glm::dvec3 eyePosition = view.GetEyeFromWorld(glm::make_vec4(position));
+    const glm::dvec3 toward = Normalized(eyePosition - view.GetEyeFromWorld(glm::make_vec4(focus)));
     Light eyeLight;
     eyeLight.IsPositional = light->GetPositional() != 0;
     eyeLight.Position = glm::vec3(eyeLight.IsPositional ? eyePosition : toward);

@@ -62,7 +62,7 @@ public:
   const std::vector<Color>& GetImage() const { return *this->Image; }
   int GetImageWidth() const { return this->ImageWidth; }
   int GetImageHeight() const { return this->ImageHeight; }
-  bool IsRepeated() const { return this->Repeated; }
+  bool IsTextureRepeated() const { return this->Repeated; }
 
   bool HasSameImage(const BoundaryShading& other) const
   {

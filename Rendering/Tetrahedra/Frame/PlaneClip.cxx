@@ -54,7 +54,7 @@ void PlaneClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields,
   if (this->IsActive())
   {
     this->Classify(mesh);
-    this->CutAll(mesh, fields, order ? &view : nullptr);
+    this->CutTetrahedra(mesh, fields, order ? &view : nullptr);
     this->BuildOrder(order);
   }
 }
@@ -97,7 +97,7 @@ void PlaneClip::Classify(const TetrahedraMesh& mesh)
     });
 }
 
-void PlaneClip::CutAll(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view)
+void PlaneClip::CutTetrahedra(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view)
 {
   this->Ranges.clear();
   this->Parts.clear();

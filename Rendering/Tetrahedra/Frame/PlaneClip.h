@@ -49,7 +49,7 @@ public:
   /// Returns the planes that cut the mesh.
   const std::vector<Plane>& GetPlanes() const { return this->Planes; }
   const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
-  vtkIdType GetNumberClipped() const { return this->NumberClipped; }
+  vtkIdType GetNumberOfClippedTetrahedra() const { return this->NumberClipped; }
   /// Returns the original tetrahedron of a part; for other tetrahedra, the tetrahedron itself.
   std::uint32_t GetOriginal(std::uint32_t tetrahedron) const
   {
@@ -75,7 +75,7 @@ private:
 
   /// Classifies tetrahedra as retained, dropped or cut.
   void Classify(const TetrahedraMesh& mesh);
-  void CutAll(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view);
+  void CutTetrahedra(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view);
   /// Cuts a part of a tetrahedron with the planes from index \a plane on. Appends the remaining
   /// parts to the mesh and to Parts, front to back unless \a view is null.
   void Cut(TetrahedraMesh& mesh, TetrahedraFields& fields, const Viewpoint* view,

@@ -2,7 +2,7 @@
 #ifndef interlume_TetrahedraFrame_h
 #define interlume_TetrahedraFrame_h
 
-#include "Frame/PiecewiseLinearTransfer.h"
+#include "Frame/PiecewiseLinearTransferFunction.h"
 #include "Mesh/TetrahedraFields.h"
 #include "Mesh/TetrahedraMesh.h"
 #include "View/TetrahedraView.h"
@@ -55,7 +55,7 @@ struct TetrahedraFrame
   Changes Versions;
   const TetrahedraMesh* Mesh = nullptr;
   const TetrahedraFields* Fields = nullptr;
-  const PiecewiseLinearTransfer* Pieces = nullptr;
+  const PiecewiseLinearTransferFunction* Pieces = nullptr;
   TetrahedraView View;
   /// Planes that cut the mesh, in mesh coordinates. The parts that PlaneClip appends change only if
   /// the mesh or these planes change.

@@ -219,7 +219,7 @@ public:
     const bool isBad = !this->BadPoints.empty() &&
       std::any_of(corners.begin(), corners.end(),
         [this](std::uint32_t id) { return this->BadPoints[id] != 0; });
-    return isBad ? NON_FINITE : this->Mesh.GetSixfoldVolume(corners.data()) == 0.0 ? FLAT : DRAWN;
+    return isBad ? NON_FINITE : this->Mesh.GetVolumeTimesSix(corners.data()) == 0.0 ? FLAT : DRAWN;
   }
 
 private:

@@ -38,8 +38,8 @@ public:
   bool IsSame(
     vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, const TetrahedraMesh& mesh) const;
 
-  vtkIdType GetNumberOfFlat() const { return this->Flat; }
-  vtkIdType GetNumberOfNonFinite() const { return this->NonFinite; }
+  vtkIdType GetNumberOfFlatTetrahedra() const { return this->Flat; }
+  vtkIdType GetNumberOfNonFiniteTetrahedra() const { return this->NonFinite; }
   std::size_t GetBytes() const { return this->BadPoints.capacity() + this->Marks.capacity(); }
 
 private:

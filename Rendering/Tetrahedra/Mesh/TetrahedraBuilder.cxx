@@ -86,7 +86,7 @@ std::array<float, 4> GetColor(
 }
 }
 
-void TetrahedraBuilder::BuildFields(
+void TetrahedraBuilder::BuildDeltaTAndLayers(
   const TetrahedraArrays& arrays, const TetrahedraMesh& mesh, TetrahedraFields& fields)
 {
   fields.DeltaT.clear();

@@ -23,7 +23,7 @@ public:
   /**
    * Builds the extents in time and the layers.
    */
-  static void BuildFields(
+  static void BuildDeltaTAndLayers(
     const TetrahedraArrays& arrays, const TetrahedraMesh& mesh, TetrahedraFields& fields);
 
   /**

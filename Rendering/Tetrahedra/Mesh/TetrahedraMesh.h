@@ -63,11 +63,11 @@ struct TetrahedraMesh
   double GetRadius() const;
   ///@{
   /// Return six times the signed volume.
-  double GetSixfoldVolume(std::uint32_t tetrahedron) const
+  double GetVolumeTimesSix(std::uint32_t tetrahedron) const
   {
-    return this->GetSixfoldVolume(this->GetCorners(tetrahedron));
+    return this->GetVolumeTimesSix(this->GetCorners(tetrahedron));
   }
-  double GetSixfoldVolume(const std::uint32_t* corners) const
+  double GetVolumeTimesSix(const std::uint32_t* corners) const
   {
     const double* o = this->GetPoint(corners[0]);
     double e[3][3];

@@ -3,7 +3,7 @@
 
 #include "Frame/BoundaryShading.h"
 #include "Loader/OpenGLFunctions.h"
-#include "Loader/ScopedState.h"
+#include "Loader/ScopedGLState.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/SceneDepth.h"
 #include "Offscreen/ShaderFeatures.h"
@@ -46,7 +46,7 @@ std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
   std::vector<float> volumes(mesh.GetNumberOfTetrahedra());
   for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
   {
-    volumes[t] = static_cast<float>(mesh.GetSixfoldVolume(t));
+    volumes[t] = static_cast<float>(mesh.GetVolumeTimesSix(t));
   }
   return volumes;
 }
@@ -228,7 +228,7 @@ vtkIdType OpenGLRasterizer::UploadSurface(
     vtkTextureObject* texture = this->SurfaceTexture;
     texture->SetContext(window);
     const int wrap =
-      shading.IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
+      shading.IsTextureRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
     texture->SetMinificationFilter(vtkTextureObject::Linear);
     texture->SetMagnificationFilter(vtkTextureObject::Linear);
     texture->SetWrapS(wrap);
@@ -325,7 +325,8 @@ void OpenGLRasterizer::SetUniforms(
   const auto stride = static_cast<float>(frame.TetrahedronStride);
   if (view.IsParallel())
   {
-    program->SetUniformf("lengthScale", stride * static_cast<float>(view.GetSlant(0.0, 0.0)));
+    program->SetUniformf(
+      "lengthScale", stride * static_cast<float>(view.GetViewRayLengthRatio(0.0, 0.0)));
   }
   else
   {
@@ -347,7 +348,7 @@ void OpenGLRasterizer::SetUniforms(
   }
   if (hasOpaque)
   {
-    const glm::vec4 depth(view.GetDepthOfBuffer());
+    const glm::vec4 depth(view.GetDepthFromBuffer());
     program->SetUniform4f("depthOfBuffer", glm::value_ptr(depth));
     program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
     program->SetUniformi("pixelStride", frame.PixelStride);
@@ -396,7 +397,7 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
 {
   if (!isResolved && HoldsScalars(frame))
   {
-    this->ResolveQuad.DrawWith(window, texture,
+    this->ResolveQuad.DrawWithShader(window, texture,
       ShaderFeatures::Insert(InterlumeResolveFS, "LARGEST_SCALAR"),
       [&](vtkShaderProgram* program)
       {
@@ -408,7 +409,7 @@ void OpenGLRasterizer::Resolve(vtkOpenGLRenderWindow* window, const TetrahedraFr
   }
   if (!isResolved && IsDepthSum(frame))
   {
-    this->ResolveQuad.DrawWith(
+    this->ResolveQuad.DrawWithShader(
       window, texture, ShaderFeatures::Insert(InterlumeResolveFS, "OPTICAL_DEPTH"));
     return;
   }
@@ -529,7 +530,7 @@ Error OpenGLRasterizer::Draw(
   // Framebuffer bindings are restored explicitly, other drawing state at the end of the block.
   state->PushFramebufferBindings();
   {
-    const ScopedState scoped(state);
+    const ScopedGLState scoped(state);
     const int width = frame.View.GetWidth();
     const int height = frame.View.GetHeight();
     const bool hasLayers = frame.Blend == TetrahedraFrame::PRIORITY;

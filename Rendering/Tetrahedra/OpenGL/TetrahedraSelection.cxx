@@ -37,7 +37,7 @@ std::vector<float> TetrahedraSelection::MakeImage(vtkHardwareSelector* selector,
       const vtkIdType cell = std::max<vtkIdType>(cells[i] - 1, 0);
       vtkHardwareSelector::Convert((cell >> shift) & 0xffffff, pixel);
     }
-    const double depth = view.GetBufferOfDepth(
+    const double depth = view.GetBufferFromDepth(
       static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5, depths[i]);
     pixel[3] = cells[i] == 0 ? -1.0f : static_cast<float>(std::max(0.0, std::min(depth, 1.0)));
   }

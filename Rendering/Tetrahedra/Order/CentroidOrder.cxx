@@ -32,7 +32,7 @@ void FillKeys(const TetrahedraMesh& mesh, std::vector<std::uint32_t>& keys, cons
       for (vtkIdType i = first; i < last; ++i)
       {
         const double value = measure(SumCorners(mesh, static_cast<std::uint32_t>(i)));
-        keys[i] = RadixOrder::MakeKey(static_cast<float>(value));
+        keys[i] = RadixSorter::MakeKey(static_cast<float>(value));
       }
     });
 }

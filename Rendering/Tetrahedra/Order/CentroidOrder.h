@@ -3,7 +3,7 @@
 #define interlume_CentroidOrder_h
 
 #include "Mesh/TetrahedraMesh.h"
-#include "Order/RadixOrder.h"
+#include "Order/RadixSorter.h"
 
 #include <cstdint>
 #include <vector>
@@ -38,7 +38,7 @@ public:
 
 private:
   std::vector<std::uint32_t> Keys;
-  RadixOrder Radix;
+  RadixSorter Radix;
 };
 
 }

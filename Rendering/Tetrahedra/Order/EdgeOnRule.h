@@ -39,7 +39,7 @@ public:
   }
 
   /// Returns the vector from \a point to the camera.
-  glm::dvec3 GetTowardEye(const glm::dvec3& point) const
+  glm::dvec3 GetVectorToEye(const glm::dvec3& point) const
   {
     return this->Eye - this->IsPerspective * point;
   }

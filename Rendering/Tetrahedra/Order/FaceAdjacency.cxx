@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Order/FaceAdjacency.h"
 
-#include "Order/RadixOrder.h"
+#include "Order/RadixSorter.h"
 
 #include "vtkSMPTools.h"
 
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
     });
 
   std::vector<std::uint32_t> order(faces);
-  RadixOrder radix;
+  RadixSorter radix;
   radix.Sort(lowest.data(), faces, order.data());
 
   vtkSMPTools::For(0, faces, Grain,

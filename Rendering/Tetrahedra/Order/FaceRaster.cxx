@@ -15,7 +15,7 @@ FaceRaster::FaceRaster(const FrameProjection& projection, const std::array<glm::
   , MinimumDepth(std::min({ corners[0][2], corners[1][2], corners[2][2] }))
   , MaximumDepth(std::max({ corners[0][2], corners[1][2], corners[2][2] }))
 {
-  this->FindRectangle(corners);
+  this->FindBoundingRectangle(corners);
   for (int e = 0; e < 3; ++e)
   {
     glm::dvec3 a = corners[e];
@@ -36,7 +36,7 @@ FaceRaster::Edge FaceRaster::MakeEdge(
   return { sign * line[0], sign * line[1], sign * line[2] };
 }
 
-void FaceRaster::FindRectangle(const std::array<glm::dvec3, 3>& corners)
+void FaceRaster::FindBoundingRectangle(const std::array<glm::dvec3, 3>& corners)
 {
   // In perspective, use only the part of the triangle in front of the camera. Ignore points closer
   // to the camera plane than a millionth of the triangle's maximum depth: they are visible only if

@@ -50,7 +50,7 @@ private:
 
   static Edge MakeEdge(
     const glm::dvec3& a, std::uint32_t idA, const glm::dvec3& b, std::uint32_t idB);
-  void FindRectangle(const std::array<glm::dvec3, 3>& corners);
+  void FindBoundingRectangle(const std::array<glm::dvec3, 3>& corners);
   double FindDepth(double x, double y) const;
 
   const FrameProjection& Projection;

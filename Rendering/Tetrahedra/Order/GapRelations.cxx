@@ -3,7 +3,7 @@
 
 #include "Common/Vectors.h"
 #include "Order/EdgeOnRule.h"
-#include "Order/EyeSides.h"
+#include "Order/FrontNeighbors.h"
 #include "Order/FaceRaster.h"
 #include "Order/ViewRayEvents.h"
 #include "View/FrameProjection.h"
@@ -27,7 +27,7 @@ using Relations = std::vector<ViewRayEvents::Relation>;
 class OpenFaceRaster
 {
 public:
-  OpenFaceRaster(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays,
+  OpenFaceRaster(const TetrahedraMesh& mesh, const FrontNeighbors& sides, const ViewRays& rays,
     const FrameProjection& projection)
     : Mesh(mesh)
     , Sides(sides)
@@ -57,7 +57,7 @@ private:
   void FindHits(int firstRow, int lastRow, std::vector<Hit>& hits) const;
 
   const TetrahedraMesh& Mesh;
-  const EyeSides& Sides;
+  const FrontNeighbors& Sides;
   const FrameProjection& Projection;
   EdgeOnRule Rule;
   double Tolerance;
@@ -69,7 +69,7 @@ bool OpenFaceRaster::IsEdgeOn(const std::array<glm::dvec3, 3>& points) const
 {
   const glm::dvec3 u = points[1] - points[0];
   const glm::dvec3 v = points[2] - points[0];
-  const double side = glm::dot(glm::cross(u, v), this->Rule.GetTowardEye(points[0]));
+  const double side = glm::dot(glm::cross(u, v), this->Rule.GetVectorToEye(points[0]));
   return std::abs(side) <= this->Rule.GetBound(Vectors::InfinityNorm(u) + Vectors::InfinityNorm(v));
 }
 
@@ -172,7 +172,8 @@ void OpenFaceRaster::RelateBand(int band, Relations& relations) const
 }
 }
 
-void GapRelations::Compute(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays)
+void GapRelations::Compute(
+  const TetrahedraMesh& mesh, const FrontNeighbors& sides, const ViewRays& rays)
 {
   this->Offsets.clear();
   this->InFront.clear();

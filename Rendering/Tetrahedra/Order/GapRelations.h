@@ -11,7 +11,7 @@
 namespace interlume
 {
 
-class EyeSides;
+class FrontNeighbors;
 
 /**
  * @class   GapRelations
@@ -33,7 +33,7 @@ class GapRelations
 {
 public:
   /// Finds all relations. There are none if \a rays has no pixels.
-  void Compute(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays);
+  void Compute(const TetrahedraMesh& mesh, const FrontNeighbors& sides, const ViewRays& rays);
 
   /// Returns the number of related pairs, without duplicates.
   std::uint32_t GetNumberOfRelations() const

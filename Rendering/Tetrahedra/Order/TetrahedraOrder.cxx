@@ -49,7 +49,7 @@ const std::vector<std::uint32_t>* TetrahedraOrder::Compute(
   return &this->Order;
 }
 
-const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
+const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayerOrder(
   const std::vector<int>& layers, const std::map<int, double>& priorities)
 {
   this->Computed = false;

@@ -51,7 +51,7 @@ public:
    * Returns the tetrahedra by descending priority of their layers. Within a layer, tetrahedra are
    * in mesh order.
    */
-  const std::vector<std::uint32_t>* ComputeLayers(
+  const std::vector<std::uint32_t>* ComputeLayerOrder(
     const std::vector<int>& layers, const std::map<int, double>& priorities);
 
   /// Sorts layers by descending priority.

@@ -31,7 +31,7 @@ void VisibilityOrder::Compute(
     graph.GapOffsets = this->Gaps.GetOffsets().data();
     graph.Gaps = this->Gaps.GetInFront().data();
   }
-  this->InCycles = this->Search.List(graph, this->Centroids, frontToBack);
+  this->InCycles = this->Search.ListFrontToBack(graph, this->Centroids, frontToBack);
 }
 
 std::size_t VisibilityOrder::GetBytes() const

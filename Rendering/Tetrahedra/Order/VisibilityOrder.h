@@ -4,7 +4,7 @@
 
 #include "Mesh/TetrahedraMesh.h"
 #include "Order/CentroidOrder.h"
-#include "Order/EyeSides.h"
+#include "Order/FrontNeighbors.h"
 #include "Order/GapRelations.h"
 #include "Order/VisibilitySearch.h"
 #include "View/ViewRays.h"
@@ -64,7 +64,7 @@ public:
 private:
   /// Twins of all faces, from FaceAdjacency.
   std::vector<std::uint32_t> Twins;
-  EyeSides Sides;
+  FrontNeighbors Sides;
   CentroidOrder Centroid;
   GapRelations Gaps;
   VisibilitySearch Search;

@@ -14,7 +14,7 @@ namespace
 constexpr std::uint32_t Listed = 0xffffffffu;
 }
 
-std::uint32_t VisibilitySearch::List(const VisibilityGraph& graph,
+std::uint32_t VisibilitySearch::ListFrontToBack(const VisibilityGraph& graph,
   const std::vector<std::uint32_t>& centroids, std::vector<std::uint32_t>& frontToBack)
 {
   this->Numbers.assign(centroids.size(), 0);

@@ -28,8 +28,8 @@ public:
    * Fills \a frontToBack with all tetrahedra, each after the tetrahedra in front of it, and
    * otherwise in the order of \a centroids. Returns the number of tetrahedra in cycles.
    */
-  std::uint32_t List(const VisibilityGraph& graph, const std::vector<std::uint32_t>& centroids,
-    std::vector<std::uint32_t>& frontToBack);
+  std::uint32_t ListFrontToBack(const VisibilityGraph& graph,
+    const std::vector<std::uint32_t>& centroids, std::vector<std::uint32_t>& frontToBack);
 
   /// Returns the memory size in bytes.
   std::size_t GetBytes() const;

@@ -27,7 +27,7 @@ void ForEachColor(
     Pixel* pixel = pixels + r.Pixel;
     if (fields.Kind == TetrahedraFields::SCALARS)
     {
-      const PiecewiseLinearTransfer::Piece* pieces = frame.Pieces->GetPieces().data();
+      const PiecewiseLinearTransferFunction::Piece* pieces = frame.Pieces->GetPieces().data();
       for (int i = r.Begin; i < r.End; ++i, ++pixel)
       {
         const int piece = f.Pieces[0][i];
@@ -131,7 +131,7 @@ void FragmentBlending::Sum(const Fragments& f, const TetrahedraFrame& frame, Pix
   SumColors(f, frame, pixels);
 }
 
-void FragmentBlending::MaximizeScalar(const Fragments& f, Pixel* pixels)
+void FragmentBlending::UpdateMaximumScalar(const Fragments& f, Pixel* pixels)
 {
   ForEachSegment(f,
     [&f, pixels](int pixel, int i, const Fragments::Run&)
@@ -141,7 +141,7 @@ void FragmentBlending::MaximizeScalar(const Fragments& f, Pixel* pixels)
     });
 }
 
-void FragmentBlending::MaximizeColor(
+void FragmentBlending::UpdateMaximumColor(
   const Fragments& f, const TetrahedraFields& fields, float unit, Pixel* pixels)
 {
   const bool hasCellColors = fields.Kind == TetrahedraFields::CELL_COLORS;
@@ -199,8 +199,9 @@ FragmentBlending::Pixel FragmentBlending::Finish(const Pixel& sum, const Tetrahe
         return { { 0.0f, 0.0f, 0.0f, 0.0f } };
       }
       const float value = std::min(sum[0], 1.0f);
-      const PiecewiseLinearTransfer& pieces = *frame.Pieces;
-      const PiecewiseLinearTransfer::Sample sample = pieces.Evaluate(pieces.Find(value), value);
+      const PiecewiseLinearTransferFunction& pieces = *frame.Pieces;
+      const PiecewiseLinearTransferFunction::Sample sample =
+        pieces.Evaluate(pieces.Find(value), value);
       const float opacity = std::min(sample[3] / static_cast<float>(frame.ExtinctionUnit), 1.0f);
       return { { sample[0] * opacity, sample[1] * opacity, sample[2] * opacity, opacity } };
     }

@@ -52,8 +52,8 @@ public:
    * Update the maximum scalar in channel 0 of each pixel, or the maxima of the four channels: RGB
    * premultiplied by opacity, and opacity. Opacity is extinction times \a unit, clamped to 1.
    */
-  static void MaximizeScalar(const Fragments& fragments, Pixel* pixels);
-  static void MaximizeColor(
+  static void UpdateMaximumScalar(const Fragments& fragments, Pixel* pixels);
+  static void UpdateMaximumColor(
     const Fragments& fragments, const TetrahedraFields& fields, float unit, Pixel* pixels);
   ///@}
 

@@ -2,7 +2,7 @@
 #include "Software/FragmentIntegration.h"
 
 #include "Common/SimdDispatch.h"
-#include "Frame/PiecewiseLinearTransfer.h"
+#include "Frame/PiecewiseLinearTransferFunction.h"
 #include "Frame/SegmentTable.h"
 
 #include <algorithm>
@@ -283,7 +283,8 @@ void MakePieceWeights(Fragments& f)
 }
 }
 
-void FragmentIntegration::FinishPerspective(interlume::Fragments& f, const Channels& channels)
+void FragmentIntegration::ApplyPerspectiveDivision(
+  interlume::Fragments& f, const Channels& channels)
 {
   MakePerspectiveLengths(f);
   const auto divide = [&f](interlume::Fragments::Values* ends)
@@ -308,7 +309,7 @@ void FragmentIntegration::FinishPerspective(interlume::Fragments& f, const Chann
   }
 }
 
-void FragmentIntegration::CutAt(
+void FragmentIntegration::CutAtOpaqueSurfaces(
   interlume::Fragments& f, const Channels& channels, bool isParallel, const float* opaque)
 {
   const auto cutOne = [&](int i, float opaqueDepth)
@@ -495,7 +496,7 @@ void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size
 }
 
 void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int size,
-  const PiecewiseLinearTransfer& pieces)
+  const PiecewiseLinearTransferFunction& pieces)
 {
   for (int i = 0; i < size; ++i)
   {
@@ -509,7 +510,8 @@ void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int siz
 }
 }
 
-void FragmentIntegration::LookUp(interlume::Fragments& f, const PiecewiseLinearTransfer& pieces)
+void FragmentIntegration::LookUpExtinction(
+  interlume::Fragments& f, const PiecewiseLinearTransferFunction& pieces)
 {
   const int number = pieces.GetNumberOfPieces();
   const PieceArrays arrays{ pieces.GetStarts().data(), pieces.GetExtinctions().data(),
@@ -614,7 +616,7 @@ using Results = FragmentIntegration::Results;
 // Integrates segment i piece by piece. Its front end is in the piece `piece`, its back end in the
 // piece `end`.
 void IntegrateSplit(interlume::Fragments& f, int i, int piece, int end,
-  const PiecewiseLinearTransfer& pieces, bool hasDeltaT, Results results,
+  const PiecewiseLinearTransferFunction& pieces, bool hasDeltaT, Results results,
   interlume::Fragments::Color& color)
 {
   const SegmentTable& table = SegmentTable::Get();
@@ -632,8 +634,8 @@ void IntegrateSplit(interlume::Fragments& f, int i, int piece, int end,
     const float bound = starts[step > 0 ? piece + 1 : piece];
     const float to = isLast ? 1.0f : std::min((bound - first) / (last - first), 1.0f);
     const float next = isLast ? last : bound;
-    const PiecewiseLinearTransfer::Sample front = pieces.Evaluate(piece, value);
-    const PiecewiseLinearTransfer::Sample back = pieces.Evaluate(piece, next);
+    const PiecewiseLinearTransferFunction::Sample front = pieces.Evaluate(piece, value);
+    const PiecewiseLinearTransferFunction::Sample back = pieces.Evaluate(piece, next);
     Moments m = GetMoments(front[3], back[3]);
     if (hasDeltaT)
     {
@@ -666,12 +668,13 @@ void IntegrateSplit(interlume::Fragments& f, int i, int piece, int end,
 
 // Computes the weighted sum of the colors at both ends, which are in different pieces.
 void AverageSplit(const interlume::Fragments& f, int i, int piece, int end,
-  const PiecewiseLinearTransfer& pieces, interlume::Fragments::Color& color)
+  const PiecewiseLinearTransferFunction& pieces, interlume::Fragments::Color& color)
 {
   const std::vector<float>& starts = pieces.GetStarts();
-  const PiecewiseLinearTransfer::Sample front =
+  const PiecewiseLinearTransferFunction::Sample front =
     pieces.Evaluate(piece, f.Scalar[0][i] + starts[piece]);
-  const PiecewiseLinearTransfer::Sample back = pieces.Evaluate(end, f.Scalar[1][i] + starts[end]);
+  const PiecewiseLinearTransferFunction::Sample back =
+    pieces.Evaluate(end, f.Scalar[1][i] + starts[end]);
   for (int c = 0; c < 3; ++c)
   {
     color[c] = f.Weight[0][i] * front[c] + f.Weight[1][i] * back[c];
@@ -679,8 +682,8 @@ void AverageSplit(const interlume::Fragments& f, int i, int piece, int end,
 }
 }
 
-void FragmentIntegration::FinishPieces(interlume::Fragments& f,
-  const PiecewiseLinearTransfer& pieces, bool hasDeltaT, bool isExact, Results results)
+void FragmentIntegration::ConvertToPieceWeights(interlume::Fragments& f,
+  const PiecewiseLinearTransferFunction& pieces, bool hasDeltaT, bool isExact, Results results)
 {
   for (int split = 0; split < f.NumberOfSplits; ++split)
   {

@@ -7,7 +7,7 @@
 namespace interlume
 {
 
-class PiecewiseLinearTransfer;
+class PiecewiseLinearTransferFunction;
 
 /**
  * @class   FragmentIntegration
@@ -38,14 +38,14 @@ public:
    * In perspective, divides depth-weighted values by depth, and converts depth differences to
    * lengths.
    */
-  static void FinishPerspective(interlume::Fragments& fragments, const Channels& channels);
+  static void ApplyPerspectiveDivision(interlume::Fragments& fragments, const Channels& channels);
 
   /**
    * Cuts segments at opaque surfaces, given the opaque depth of each pixel. The length of hidden
    * segments becomes 0.
    */
-  static void CutAt(interlume::Fragments& fragments, const Channels& channels, bool isParallel,
-    const float* opaque);
+  static void CutAtOpaqueSurfaces(interlume::Fragments& fragments, const Channels& channels,
+    bool isParallel, const float* opaque);
 
   ///@{
   /**
@@ -53,7 +53,8 @@ public:
    * finds the segments that cross a control point. SetExtinction uses point colors or one color for
    * each tetrahedron.
    */
-  static void LookUp(interlume::Fragments& fragments, const PiecewiseLinearTransfer& pieces);
+  static void LookUpExtinction(
+    interlume::Fragments& fragments, const PiecewiseLinearTransferFunction& pieces);
   static void SetExtinction(interlume::Fragments& fragments);
   static void SetExtinction(
     interlume::Fragments& fragments, const interlume::Fragments::Color* cells);
@@ -71,8 +72,8 @@ public:
    * function piece that contains the segment. Segments that cross control points are split there
    * and integrated again or, unless \a isExact, averaged.
    */
-  static void FinishPieces(interlume::Fragments& fragments, const PiecewiseLinearTransfer& pieces,
-    bool hasDeltaT, bool isExact, Results results);
+  static void ConvertToPieceWeights(interlume::Fragments& fragments,
+    const PiecewiseLinearTransferFunction& pieces, bool hasDeltaT, bool isExact, Results results);
 };
 
 }

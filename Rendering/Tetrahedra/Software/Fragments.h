@@ -37,20 +37,20 @@ struct Fragments
   int Size = 0;
 
   /// Length in units of mesh coordinates. In perspective, it is valid only after
-  /// FinishPerspective().
+  /// ApplyPerspectiveDivision().
   Values Length;
   /// Depths of both ends.
   Values Depth[2];
   /// Scalar, extent in time and extinction at both ends. In perspective, scalar and extent in time
-  /// are multiplied by depth until FinishPerspective() is called.
+  /// are multiplied by depth until ApplyPerspectiveDivision() is called.
   Values Scalar[2];
   Values DeltaT[2];
   Values Extinction[2];
   /// Colors at both ends, interpolated from point colors.
   Array<Color> Colors[2];
   /// Index of the transfer function piece that contains each end. If a segment crosses a control
-  /// point, FinishPieces() sets its entry in Pieces[0] to -1 - i, where SplitColors[i] is its
-  /// color.
+  /// point, ConvertToPieceWeights() sets its entry in Pieces[0] to -1 - i, where SplitColors[i] is
+  /// its color.
   Array<std::int32_t> Pieces[2];
   /// Indices of the segments that cross a control point, and the colors of these segments.
   Array<std::uint16_t> Split;

@@ -34,7 +34,7 @@ public:
   const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
-  vtkIdType GetNumberDrawn() const { return this->Bins.GetNumberDrawn(); }
+  vtkIdType GetNumberOfDrawnTetrahedra() const { return this->Bins.GetNumberOfDrawnTetrahedra(); }
   std::size_t GetBytes() const;
 
 private:

@@ -121,7 +121,7 @@ void SurfaceFragments::Compute(
           continue;
         }
         const double weight = view.IsParallel() ? 1.0 : at[0];
-        this->Colors[end][i] = this->Frame.Surface->Shade(view.GetEyePoint(x, y, at[0]),
+        this->Colors[end][i] = this->Frame.Surface->Shade(view.GetEyeCoordinates(x, y, at[0]),
           { at[1] / weight, at[2] / weight, at[3] / weight },
           { { at[4] / weight, at[5] / weight } });
       }

@@ -29,7 +29,7 @@ void TileBins::ProjectPoints(const TetrahedraFrame& frame)
     {
       for (vtkIdType p = first; p < last; ++p)
       {
-        const glm::dvec3 eye = frame.View.GetEyePoint(&mesh.Points[3 * p]);
+        const glm::dvec3 eye = frame.View.GetEyeCoordinates(&mesh.Points[3 * p]);
         Point& point = this->Points[p];
         point.Position = frame.View.Project(eye);
         point.Scalar = hasScalars ? fields.Scalars[p] : 0.0f;

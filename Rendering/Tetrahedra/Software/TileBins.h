@@ -39,7 +39,7 @@ public:
   const Point* GetPoints() const { return this->Points.data(); }
   const std::uint32_t* Begin(int tile) const { return this->Lists.data() + this->Starts[tile]; }
   const std::uint32_t* End(int tile) const { return this->Lists.data() + this->Starts[tile + 1]; }
-  vtkIdType GetNumberDrawn() const { return this->NumberDrawn; }
+  vtkIdType GetNumberOfDrawnTetrahedra() const { return this->NumberDrawn; }
   std::size_t GetBytes() const;
 
 private:

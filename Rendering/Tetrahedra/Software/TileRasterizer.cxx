@@ -157,7 +157,7 @@ void TileRasterizer::Begin(int tile)
       const int column = this->Left + x;
       const int row = this->Bottom + y;
       this->Slant[y * SIZE + x] =
-        this->LengthScale * static_cast<float>(view.GetSlant(column + 0.5, row + 0.5));
+        this->LengthScale * static_cast<float>(view.GetViewRayLengthRatio(column + 0.5, row + 0.5));
       if (this->Frame.Opaque)
       {
         this->Opaque[y * SIZE + x] =
@@ -356,11 +356,12 @@ void TileRasterizer::Flush()
   const TetrahedraView& view = this->Frame.View;
   if (!view.IsParallel())
   {
-    FragmentIntegration::FinishPerspective(f, this->Channels);
+    FragmentIntegration::ApplyPerspectiveDivision(f, this->Channels);
   }
   if (this->Frame.Opaque)
   {
-    FragmentIntegration::CutAt(f, this->Channels, view.IsParallel(), this->Opaque.data());
+    FragmentIntegration::CutAtOpaqueSurfaces(
+      f, this->Channels, view.IsParallel(), this->Opaque.data());
   }
   this->IntegrateAndBlend();
   f.Size = 0;
@@ -374,18 +375,18 @@ void TileRasterizer::IntegrateAndBlend()
   const Blends blend = this->Frame.Blend;
   if (blend == Blends::MAXIMUM && this->Channels.HasScalars)
   {
-    FragmentBlending::MaximizeScalar(f, this->Pixels.data());
+    FragmentBlending::UpdateMaximumScalar(f, this->Pixels.data());
     return;
   }
   if (blend == Blends::MAXIMUM)
   {
-    FragmentBlending::MaximizeColor(
+    FragmentBlending::UpdateMaximumColor(
       f, fields, static_cast<float>(1.0 / this->Frame.ExtinctionUnit), this->Pixels.data());
     return;
   }
   if (this->Channels.HasScalars)
   {
-    FragmentIntegration::LookUp(f, *this->Frame.Pieces);
+    FragmentIntegration::LookUpExtinction(f, *this->Frame.Pieces);
   }
   else if (this->Channels.HasColors)
   {
@@ -401,7 +402,7 @@ void TileRasterizer::IntegrateAndBlend()
   FragmentIntegration::Integrate(f, hasDeltaT, this->Frame.IsExact, results);
   if (this->Channels.HasScalars)
   {
-    FragmentIntegration::FinishPieces(
+    FragmentIntegration::ConvertToPieceWeights(
       f, *this->Frame.Pieces, hasDeltaT, this->Frame.IsExact, results);
   }
   switch (blend)

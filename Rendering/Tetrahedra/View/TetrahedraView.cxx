@@ -233,7 +233,7 @@ std::array<double, 12> TetrahedraView::GetPixelsFromMesh() const
 
 std::array<glm::dvec3, 2> TetrahedraView::GetEyeFromPixels() const
 {
-  const glm::dvec3 first = this->GetEyePoint(0.0, 0.0, this->Parallel ? 0.0 : 1.0);
+  const glm::dvec3 first = this->GetEyeCoordinates(0.0, 0.0, this->Parallel ? 0.0 : 1.0);
   return { { { 1.0 / this->ScaleX, -this->SkewX / (this->ScaleX * this->ScaleY), first.x },
     { 0.0, 1.0 / this->ScaleY, first.y } } };
 }
@@ -244,10 +244,10 @@ glm::dvec2 TetrahedraView::GetTilt() const
   return { (this->ShiftX - this->SkewX * y) / this->ScaleX, y };
 }
 
-double TetrahedraView::GetSlant(double x, double y) const
+double TetrahedraView::GetViewRayLengthRatio(double x, double y) const
 {
   const glm::dvec2 tilt =
-    this->Parallel ? this->GetTilt() : glm::dvec2(this->GetEyePoint(x, y, 1.0));
+    this->Parallel ? this->GetTilt() : glm::dvec2(this->GetEyeCoordinates(x, y, 1.0));
   return std::sqrt(glm::dot(tilt, tilt) + 1.0);
 }
 
@@ -278,7 +278,7 @@ ViewRays TetrahedraView::GetRays() const
   rays.Up = (column(1) - skew * column(0)) / size;
   rays.HalfSize = { { 0.5 * this->Width / this->ScaleX, 0.5 * this->Height / this->ScaleY } };
   const glm::dvec3 center =
-    this->GetEyePoint(0.5 * this->Width, 0.5 * this->Height, this->Parallel ? 0.0 : 1.0);
+    this->GetEyeCoordinates(0.5 * this->Width, 0.5 * this->Height, this->Parallel ? 0.0 : 1.0);
   rays.Center = { { center.x + skew * center.y, center.y } };
   rays.Width = this->Width;
   rays.Height = this->Height;

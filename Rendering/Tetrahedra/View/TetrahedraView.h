@@ -65,7 +65,7 @@ public:
 
   /// Returns the eye coordinates of a point in mesh coordinates, in units of GetUnit(). The view
   /// direction is -z.
-  glm::dvec3 GetEyePoint(const double* point) const
+  glm::dvec3 GetEyeCoordinates(const double* point) const
   {
     glm::dvec3 eye;
     for (int i = 0; i < 3; ++i)
@@ -76,7 +76,7 @@ public:
     return eye;
   }
   /// Returns eye coordinates of a world point (w = 1) or direction (w = 0).
-  glm::dvec3 GetEyeOfWorld(const glm::dvec4& point) const
+  glm::dvec3 GetEyeFromWorld(const glm::dvec4& point) const
   {
     return { glm::dot(this->EyeFromWorld[0], point), glm::dot(this->EyeFromWorld[1], point),
       glm::dot(this->EyeFromWorld[2], point) };
@@ -91,7 +91,7 @@ public:
       (this->ScaleY * eye[1] + this->ShiftY * eye[2]) * weight + this->OffsetY, depth };
   }
   /// Returns the eye coordinates of the point at a pixel position and depth.
-  glm::dvec3 GetEyePoint(double x, double y, double depth) const
+  glm::dvec3 GetEyeCoordinates(double x, double y, double depth) const
   {
     const double z = this->Parallel ? depth : -1.0 / depth;
     const double weight = this->Parallel ? 1.0 : depth;
@@ -111,21 +111,21 @@ public:
 
   /// Returns the ratio of the length of a view ray segment at a pixel to its length along the view
   /// axis.
-  double GetSlant(double x, double y) const;
+  double GetViewRayLengthRatio(double x, double y) const;
 
   /// Returns the coefficients c that convert a depth buffer value b in [0, 1] at pixel position (x,
   /// y) to the depth c[0] + c[1] b + c[2] x + c[3] y. c[2] and c[3] are 0 unless the camera's user
   /// transform tilts depths.
-  const glm::dvec4& GetDepthOfBuffer() const { return this->DepthOfBuffer; }
-  double GetDepthOfBuffer(double x, double y, double value) const
+  const glm::dvec4& GetDepthFromBuffer() const { return this->DepthOfBuffer; }
+  double GetDepthFromBuffer(double x, double y, double value) const
   {
     return glm::dot(this->DepthOfBuffer, glm::dvec4(1.0, value, x, y));
   }
   /// Converts a depth at a pixel position to a depth buffer value, the inverse of
-  /// GetDepthOfBuffer().
-  double GetBufferOfDepth(double x, double y, double depth) const
+  /// GetDepthFromBuffer().
+  double GetBufferFromDepth(double x, double y, double depth) const
   {
-    return (depth - this->GetDepthOfBuffer(x, y, 0.0)) / this->DepthOfBuffer[1];
+    return (depth - this->GetDepthFromBuffer(x, y, 0.0)) / this->DepthOfBuffer[1];
   }
 
   /// Returns the view rays of the pixels in mesh coordinates.

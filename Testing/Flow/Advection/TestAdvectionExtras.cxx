@@ -23,9 +23,10 @@ const BoxGrid Cells = []
   return grid;
 }();
 
-KeepingOptions ExtraOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces = {})
+OwningAdvectionOptions ExtraOptions(
+  const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces = {})
 {
-  KeepingOptions options = ForwardOptions(surfaces);
+  OwningAdvectionOptions options = ForwardOptions(surfaces);
   options.MaximumError = 1e-8;
   options.ComputeMaximumSpeed = true;
   options.ComputeArcLength = true;
@@ -44,7 +45,7 @@ Flow WithArrays(Flow flow)
 std::vector<interlume::AdvectionResult> AdvectInAll(
   const Flow& flow, const interlume::AdvectionOptions& options, const Position& start)
 {
-  return { Advect(SpaceWalker(flow), options, start),
+  return { Advect(SingleCellWalker(flow), options, start),
     Advect(BoxWalker(flow, Cells), options, start) };
 }
 
@@ -56,7 +57,8 @@ void TestRotation(Check& check)
   {
     check.SetContext("integrator " + std::to_string(integrator));
     // The streamline reaches the plane y = 0 after half a rotation.
-    KeepingOptions options = ExtraOptions({ FormulaSurface::Plane({ 0, 1, 0 }, -1e-9, 0, 2) });
+    OwningAdvectionOptions options =
+      ExtraOptions({ FormulaSurface::Plane({ 0, 1, 0 }, -1e-9, 0, 2) });
     options.Integrator = integrator;
     for (const auto& result : AdvectInAll(flow, options, { 2.5, 0, 1 }))
     {
@@ -76,7 +78,7 @@ void TestRotation(Check& check)
 void TestSaddle(Check& check)
 {
   const Flow flow = WithArrays(Flow::Linear({ 1, 0, 0, 0, -1, 0, 0, 0, 0 }));
-  KeepingOptions options = ExtraOptions();
+  OwningAdvectionOptions options = ExtraOptions();
   options.MaximumTime = 2.0;
   // The exact arc length, computed by Simpson's rule.
   const Position start = { 0.3, 2.0, 0.1 };
@@ -103,7 +105,7 @@ void TestSaddle(Check& check)
 void TestBeltrami(Check& check)
 {
   const Flow flow = WithArrays(Flow::Beltrami(1.0, 0.7, 0.43));
-  KeepingOptions options = ExtraOptions();
+  OwningAdvectionOptions options = ExtraOptions();
   options.MaximumTime = 3.0;
   for (const auto& result : AdvectInAll(flow, options, { 0.5, 0.6, 0.7 }))
   {
@@ -151,7 +153,7 @@ void TestOff(Check& check)
     ++velocities;
     velocity(x, v);
   };
-  KeepingOptions options = ForwardOptions();
+  OwningAdvectionOptions options = ForwardOptions();
   options.MaximumTime = 3.0;
   const auto plain = Advect(BoxWalker(flow, Cells), options, { 2.5, 0, 1 });
   check.Equal(velocities, plain.Evaluations, "evaluations are counted");
@@ -159,7 +161,7 @@ void TestOff(Check& check)
   check.That(plain.MaximumSpeed == 0.0 && plain.ArcLength == 0.0 && plain.MeanVorticity == 0.0 &&
       plain.Means.empty(),
     "results that were not requested are 0");
-  KeepingOptions all = ExtraOptions();
+  OwningAdvectionOptions all = ExtraOptions();
   all.MaximumError = options.MaximumError;
   all.MaximumTime = 3.0;
   const auto full = Advect(BoxWalker(flow, Cells), all, { 2.5, 0, 1 });

@@ -41,7 +41,7 @@ const char* const WalkerNames[NumberOfWalkers] = { "space", "cubes" };
 interlume::AdvectionResult AdvectIn(int walker, const Flow& flow, const BoxGrid& grid,
   const interlume::AdvectionOptions& options, Position x)
 {
-  return walker == Space ? Advect(SpaceWalker(flow), options, x)
+  return walker == Space ? Advect(SingleCellWalker(flow), options, x)
                          : Advect(BoxWalker(flow, grid), options, x);
 }
 
@@ -116,7 +116,7 @@ std::vector<Scene> MakeScenes()
     RandomPositions(12, { 0.1, 0.5, -1 }, { 0.4, 2, 1 }), 3.0, [](const Position& x, double t) {
       return Position{ x[0] * std::exp(t), x[1] * std::exp(-t), x[2] * std::exp(0.2 * t) };
     } });
-  scenes.push_back({ "orbit around a sphere", Flow::RoundSphere(),
+  scenes.push_back({ "orbit around a sphere", Flow::PotentialAroundSphere(),
     RandomPositions(12, { -3, 0.3, 0.2 }, { -2.5, 0.8, 0.8 }), 7.0, nullptr });
   scenes.push_back({ "Beltrami", Flow::Beltrami(1.0, 0.7, 0.43),
     RandomPositions(12, { 0, 0, 0 }, { 6, 6, 6 }), 4.0, nullptr });
@@ -136,7 +136,7 @@ template <typename Method>
 void TestStep(Check& check, const char* name, double endOrder, double denseOrder)
 {
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
-  const SpaceWalker walker(flow);
+  const SingleCellWalker walker(flow);
   std::vector<double> steps;
   std::vector<double> ends;
   std::vector<double> between;
@@ -147,7 +147,7 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
     for (const Position& start : RandomPositions(20, { 0, 0, 0 }, { 6, 6, 6 }))
     {
       interlume::AdvectionEnd counts;
-      interlume::AdvectionRate<SpaceWalker> rate(walker, false, counts);
+      interlume::AdvectionRate<SingleCellWalker> rate(walker, false, counts);
       double first[3];
       rate(start.data(), first);
       Method method;
@@ -198,7 +198,7 @@ void TestSlopes(Check& check)
         std::vector<double> errors;
         for (double tolerance : { 1e-5, 1e-6, 1e-7, 1e-8, 1e-9 })
         {
-          KeepingOptions options = ForwardOptions();
+          OwningAdvectionOptions options = ForwardOptions();
           options.Integrator = method.Integrator;
           options.MaximumError = tolerance;
           options.MaximumTime = scene.Time;
@@ -239,7 +239,7 @@ void TestKinks(Check& check)
   BoxGrid grid = Cells;
   grid.IsInterpolated = true;
   const std::vector<Position> starts = RandomPositions(12, { 0, 0, 0 }, { 6, 6, 6 });
-  KeepingOptions options = ForwardOptions();
+  OwningAdvectionOptions options = ForwardOptions();
   options.MaximumTime = 4.0;
   for (const Method& method : Methods)
   {
@@ -294,8 +294,8 @@ void TestTolerance(Check& check)
       { -2, -2, -1 }, { 2, 2, 1 }, true },
     { "saddle", Flow::Linear({ 1, 0, 0, 0, -1, 0, 0, 0, 0.2 }),
       FormulaSurface::Sphere({ 0, 0, 0 }, 3.0), { -1, -1, -1 }, { 1, 1, 1 }, false },
-    { "orbit around a sphere", Flow::RoundSphere(), FormulaSurface::Plane({ 1, 0, 0 }, -3.0, 1, 2),
-      { -3, 1.1, -2 }, { 4, 2, 2 }, true },
+    { "orbit around a sphere", Flow::PotentialAroundSphere(),
+      FormulaSurface::Plane({ 1, 0, 0 }, -3.0, 1, 2), { -3, 1.1, -2 }, { 4, 2, 2 }, true },
     { "Beltrami", Flow::Beltrami(1.0, 0.7, 0.43), FormulaSurface::Sphere({ 3, 3, 3 }, 2.0),
       { 1.9, 1.9, 1.9 }, { 4.1, 4.1, 4.1 }, true },
   };
@@ -307,7 +307,7 @@ void TestTolerance(Check& check)
     double worst = 0.0;
     for (const Case& one : cases)
     {
-      KeepingOptions options = ForwardOptions({ one.Surface });
+      OwningAdvectionOptions options = ForwardOptions({ one.Surface });
       options.SetBackward(one.IsBackward);
       options.MaximumError = tolerance;
       options.MaximumTime = 50.0;

@@ -41,7 +41,8 @@ void TestClosed(Check& check)
        integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
   {
     check.SetContext("closed, integrator " + std::to_string(integrator));
-    KeepingOptions options = ForwardOptions({ FormulaSurface::Plane({ { 0, 0, 1 } }, 2.0, 0, 1) });
+    OwningAdvectionOptions options =
+      ForwardOptions({ FormulaSurface::Plane({ { 0, 0, 1 } }, 2.0, 0, 1) });
     options.Integrator = integrator;
     options.MaximumNumberOfSteps = 20000;
     for (const double radius : { 1.3, 2.0, 3.3 })
@@ -70,7 +71,7 @@ void TestSpirals(Check& check)
       check.SetContext("inward " + std::to_string(inward) + ", along " + std::to_string(along));
       const Flow flow = Flow::Linear({ { -inward, -1, 0, 1, -inward, 0, 0, 0, along } });
       const BoxWalker walker(flow, grid);
-      KeepingOptions options = ForwardOptions(
+      OwningAdvectionOptions options = ForwardOptions(
         { FormulaSurface::Sphere({ 0, 0, 0 }, 0.9), FormulaSurface::Sphere({ 0, 0, 0 }, 3.9) });
       for (const double radius : { 0.95, 1.5, 2.5, 3.7 })
       {
@@ -127,7 +128,7 @@ void TestRepelled(Check& check)
         v[2] = 0.0;
       };
       const BoxWalker walker(flow, grid);
-      KeepingOptions options = ForwardOptions(
+      OwningAdvectionOptions options = ForwardOptions(
         { FormulaSurface::Sphere({ 0, 0, 0 }, 1.1), FormulaSurface::Sphere({ 0, 0, 0 }, 3.1) });
       options.Integrator = vtkImplicitFlowField::DORMAND_PRINCE;
       options.MaximumError = 1e-9;

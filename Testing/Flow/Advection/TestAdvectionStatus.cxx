@@ -158,7 +158,7 @@ void TestStagnation(Check& check)
     check.That(Distance(result.Position, { 2.3, 2.4, 2.6 }) <= options.MaximumError * result.Time,
       "the end is the node within the error: " + Describe(result));
     const auto origin = Advect(
-      SpaceWalker(Flow::Linear({ -1, 0, 0, 0, -1, 0, 0, 0, -1 })), options, { 0.3, 0.4, 0.6 });
+      SingleCellWalker(Flow::Linear({ -1, 0, 0, 0, -1, 0, 0, 0, -1 })), options, { 0.3, 0.4, 0.6 });
     check.That(origin.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(origin) < 1000,
       "a node at the origin: " + Describe(origin));
   }
@@ -243,11 +243,11 @@ void TestNotFinite(Check& check)
        ++integrator)
   {
     options.Integrator = integrator;
-    result = Advect(SpaceWalker(wall), options, { 0, 0, 0 });
+    result = Advect(SingleCellWalker(wall), options, { 0, 0, 0 });
     check.Equal(result.Status, vtkFlowStatus::NOT_FINITE, "NaN ahead: " + Describe(result));
     check.Near(result.Time, 2.0, 1e-12, "time to NaN");
     options.MaximumNumberOfSteps = 20000;
-    result = Advect(SpaceWalker(pole), options, { 0, 0, 0 });
+    result = Advect(SingleCellWalker(pole), options, { 0, 0, 0 });
     check.That(NumberOfSteps(result) <= 20000 && std::abs(result.Time - 2.0) < 1e-3,
       "infinity ahead: " + Describe(result));
   }
@@ -351,8 +351,8 @@ void TestHarmlessSteps(Check& check)
       // Add the harmless steps in two parts, as if they were in two cells.
       const int harmless = static_cast<int>(random() % 8);
       const int first = static_cast<int>(random() % (harmless + 1));
-      together.AddHarmless(first);
-      together.AddHarmless(harmless - first);
+      together.AddNonStiff(first);
+      together.AddNonStiff(harmless - first);
       for (int i = 0; i < harmless; ++i)
       {
         separate.Add(interlume::StiffnessTest::MinimumStiff);

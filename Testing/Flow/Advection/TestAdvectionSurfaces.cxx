@@ -31,7 +31,7 @@ const BoxGrid Cells = []
 std::vector<interlume::AdvectionResult> AdvectInAll(
   const Flow& flow, const interlume::AdvectionOptions& options, const Position& start)
 {
-  return { Advect(SpaceWalker(flow), options, start),
+  return { Advect(SingleCellWalker(flow), options, start),
     Advect(BoxWalker(flow, Cells), options, start) };
 }
 
@@ -61,7 +61,7 @@ void TestExact(Check& check)
        integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
   {
     check.SetContext("integrator " + std::to_string(integrator));
-    KeepingOptions options = ForwardOptions({ plane });
+    OwningAdvectionOptions options = ForwardOptions({ plane });
     options.Integrator = integrator;
     options.SetBackward(true);
     const Flow uniform = Flow::Uniform({ 2, 1, 0.5 });
@@ -129,7 +129,7 @@ void TestStartOnSurface(Check& check)
   const Flow flow = Flow::Uniform({ 0, 1, 0 });
   for (bool isBackward : { false, true })
   {
-    KeepingOptions options = ForwardOptions({ plane });
+    OwningAdvectionOptions options = ForwardOptions({ plane });
     options.SetBackward(isBackward);
     for (const auto& result : AdvectInAll(flow, options, { 0.25, 0.7, 0.5 }))
     {
@@ -147,7 +147,7 @@ void TestStartOnSurface(Check& check)
     check.That(
       result.Status == vtkFlowStatus::REACHED_SURFACE && result.Time == 0.0, "start on a sphere");
   }
-  KeepingOptions options = ForwardOptions({ plane });
+  OwningAdvectionOptions options = ForwardOptions({ plane });
   for (const auto& result : AdvectInAll(flow, options, { 0.25, 0.7 - 1e-6, 0.5 }))
   {
     Expect(check, result, { 10, 0.25, 0.5, 1e-6 }, 1e-15, "start near a plane");
@@ -167,7 +167,8 @@ void TestTangents(Check& check)
   const Position start = { std::cos(1.0), -std::sin(1.0), 0.0 };
   const auto advect = [&](double offset)
   {
-    KeepingOptions options = ForwardOptions({ FormulaSurface::Plane({ 1, 0, 0 }, offset, 1, 2) });
+    OwningAdvectionOptions options =
+      ForwardOptions({ FormulaSurface::Plane({ 1, 0, 0 }, offset, 1, 2) });
     options.MaximumError = 1e-12;
     options.MaximumTime = 2.0;
     return AdvectInAll(flow, options, start);
@@ -211,14 +212,14 @@ void TestSmallSpheres(Check& check)
     const double away = 1.5 * radius * number();
     const double along = radius + 8.0 * number();
     const Surface sphere = FormulaSurface::Sphere({ along, away, 0.0 }, radius);
-    KeepingOptions options = ForwardOptions({ sphere });
+    OwningAdvectionOptions options = ForwardOptions({ sphere });
     options.MaximumTime = i % 2 == 0 ? 1e3 : 9.9;
     const bool isHit = away < radius;
     hits += isHit;
     const double expected = isHit ? along - std::sqrt(radius * radius - away * away) : 0.0;
-    const auto results = i % 2 == 0
-      ? std::vector<interlume::AdvectionResult>{ Advect(SpaceWalker(flow), options, { 0, 0, 0 }) }
-      : AdvectInAll(flow, options, { 0, 0, 0 });
+    const auto results = i % 2 == 0 ? std::vector<interlume::AdvectionResult>{ Advect(
+                                        SingleCellWalker(flow), options, { 0, 0, 0 }) }
+                                    : AdvectInAll(flow, options, { 0, 0, 0 });
     for (const auto& result : results)
     {
       check.Equal(result.Status,
@@ -241,7 +242,7 @@ void TestSmallSpheres(Check& check)
     const double off = radius * 1.5 * (2.0 * number() - 1.0);
     const Surface sphere = FormulaSurface::Sphere(
       { (2.0 + off) * std::cos(angle), (2.0 + off) * std::sin(angle), 0.0 }, radius);
-    KeepingOptions options = ForwardOptions({ sphere });
+    OwningAdvectionOptions options = ForwardOptions({ sphere });
     options.MaximumTime = 6.0;
     options.MaximumError = 1e-7;
     // Law of cosines. The distance between the sphere's center and the circle of radius 2 is |off|.
@@ -263,7 +264,7 @@ void TestExtents(Check& check)
 {
   const Flow rotation = Flow::Rotation(1.0);
   const Position start = { std::cos(1.0), -std::sin(1.0), 0.0 };
-  KeepingOptions options;
+  OwningAdvectionOptions options;
   const auto each = [&](const Surface& surface, const Flow& flow, const Position& from,
                       const Expected& answer, const char* what)
   {
@@ -340,10 +341,10 @@ void TestSeveral(Check& check)
 void TestBoundary(Check& check)
 {
   const Flow flow = Flow::Uniform({ 1, 0.25, 0.125 });
-  const SpaceWalker box(flow, { -1, 1, -1, 1, -1, 1 });
+  const SingleCellWalker box(flow, { -1, 1, -1, 1, -1, 1 });
   const auto advect = [&](const Surface& surface, bool hasFaces)
   {
-    KeepingOptions options = ForwardOptions({ surface });
+    OwningAdvectionOptions options = ForwardOptions({ surface });
     options.DomainFaces = hasFaces;
     options.DomainFaceId = 500;
     return Advect(box, options, { 0, 0, 0 });
@@ -369,7 +370,7 @@ void TestBoundary(Check& check)
     Position velocity{};
     velocity[static_cast<std::size_t>(face / 2)] = face % 2 == 0 ? -1.0 : 1.0;
     const Flow along = Flow::Uniform(velocity);
-    KeepingOptions options = ForwardOptions();
+    OwningAdvectionOptions options = ForwardOptions();
     options.DomainFaces = true;
     options.DomainFaceId = 7;
     const auto result = Advect(BoxWalker(along, Cells), options, { 1, 2, 3 });
@@ -394,7 +395,7 @@ void TestCounts(Check& check)
     ++calls;
     return x[0] - 1000.0;
   };
-  KeepingOptions options = ForwardOptions({ counted });
+  OwningAdvectionOptions options = ForwardOptions({ counted });
   options.MaximumTime = 100.0;
   const auto far = Advect(BoxWalker(flow, Cells), options, { 3, 0, 0 });
   check.Equal(far.DistanceEvaluations, calls, "distance evaluations are counted");

@@ -210,7 +210,7 @@ void TestGrids(Check& check)
     {
       check.SetContext(grid.first + ", levels " + std::to_string(levels));
       field->SetRefinementLevels(levels);
-      check.That(MessagesOf(field).empty(), "no messages");
+      check.That(UpdateAndGetErrors(field).empty(), "no messages");
       vtkDataSet* output = vtkDataSet::SafeDownCast(field->GetOutputDataObject(0));
       vtkInterlumeReport* report = field->GetReport();
       check.Equal(report->GetSize("AddedSamples"), levels, "levels in the report");
@@ -434,7 +434,7 @@ void TestOtherCells(Check& check)
     auto field = MakeField(6, 2);
     field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
     field->SetSampleData(samples);
-    check.That(MessagesOf(field).empty(), "no messages");
+    check.That(UpdateAndGetErrors(field).empty(), "no messages");
     auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
     check.Equal(mesh->GetNumberOfCells(), samples->GetNumberOfCells(), "cells");
     check.Equal(mesh->GetNumberOfPoints(), samples->GetNumberOfPoints(), "points");
@@ -485,7 +485,7 @@ void TestOtherCells(Check& check)
       samples = points;
     }
     field->SetSampleData(samples);
-    check.That(MessagesOf(field).empty(), "no messages");
+    check.That(UpdateAndGetErrors(field).empty(), "no messages");
     auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
     check.Equal(mesh->GetNumberOfCells(), cells, "cells");
     check.Equal(mesh->GetNumberOfPoints(), samples->GetNumberOfPoints(), "points");
@@ -532,21 +532,21 @@ void TestProgress(Check& check)
   check.SetContext("progress");
   auto field = MakeField(8, 2);
   ProgressWatch watch;
-  Observe(field, watch);
+  ObserveProgress(field, watch);
   field->Update();
-  CheckGrowth(watch, 30, check);
+  CheckMonotonicProgress(watch, 30, check);
   check.That(watch.Progress.back() > 0.9, "progress reaches the end");
   auto aborted = MakeField(8, 2);
   ProgressWatch second;
   second.AbortAt = 0.5;
-  Observe(aborted, second);
+  ObserveProgress(aborted, second);
   aborted->Update();
   check.Equal(vtkDataSet::SafeDownCast(aborted->GetOutputDataObject(0))->GetNumberOfPoints(), 0,
     "the output is empty after an abort in a level");
   check.SetContext("errors");
   auto wrong = MakeField(4, 2);
   wrong->RemoveAllTerminationSurfaces();
-  check.That(!MessagesOf(wrong).empty(), "an error for the missing surface");
+  check.That(!UpdateAndGetErrors(wrong).empty(), "an error for the missing surface");
   check.Equal(
     vtkDataSet::SafeDownCast(wrong->GetOutputDataObject(0))->GetNumberOfPoints(), 0, "no output");
 }

@@ -73,7 +73,7 @@ void TestGrids(Check& check)
     filter->ComputeArcLengthOn();
     filter->ComputeMaximumSpeedOn();
     filter->ComputeMeanVorticityOn();
-    check.That(MessagesOf(filter).empty(), "no messages");
+    check.That(UpdateAndGetErrors(filter).empty(), "no messages");
     vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
     check.That(
       std::strcmp(output->GetClassName(), grid.second->GetClassName()) == 0, "the output type");
@@ -277,7 +277,7 @@ void TestCriticalPoints(Check& check)
   filter->SetDirectionToBackward();
   filter->CriticalPointSpheresOff();
   filter->SetMaximumError(1e-3);
-  ExpectWarnings(filter);
+  AllowWarnings(filter);
   filter->Update();
   check.Equal(filter->GetReport()->GetCount("Statuses", vtkFlowStatus::STAGNATED), 729,
     "without a sphere they stagnate");
@@ -497,10 +497,10 @@ void TestBuildingProgress(Check& check)
     filter->SetInputDataObject(grid.second);
     filter->AddTerminationSurface(MakeFlowPlane(0.0));
     ProgressWatch watch;
-    Observe(filter, watch);
+    ObserveProgress(filter, watch);
     filter->Update();
     const std::vector<double> reports = watch.Progress;
-    CheckGrowth(watch, 10, check);
+    CheckMonotonicProgress(watch, 10, check);
     const auto isBuilding = [](double progress) { return progress > 0.0 && progress < 0.1; };
     const bool isIndexed = grid.first == "image" || grid.first == "rectilinear grid";
     check.That(std::count_if(reports.begin(), reports.end(), isBuilding) >= (isIndexed ? 1 : 3),
@@ -513,7 +513,7 @@ void TestBuildingProgress(Check& check)
       // Executives of newer VTK versions do not reset the abort flag.
       filter->SetAbortExecute(0);
       filter->Modified();
-      check.That(MessagesOf(filter).empty(), "an abort is not an error");
+      check.That(UpdateAndGetErrors(filter).empty(), "an abort is not an error");
       auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
       check.Equal(output->GetNumberOfPoints(), 0, "points after an abort");
       check.Equal(filter->GetReport()->GetCount("Executions"), 1, "an aborted execution");

@@ -283,7 +283,7 @@ void TestMeans(Check& check)
     check.Near(GetValue(output, "MeanAcross", id), x[1], 1e-12, "mean across the flow", 1.0);
   }
   filter->AddMeanArray(image->GetPointData()->GetVectors()->GetName());
-  const std::string wrong = MessagesOf(filter);
+  const std::string wrong = UpdateAndGetErrors(filter);
   check.That(wrong.find("Cannot compute a mean along streamlines: array \"") != std::string::npos &&
       wrong.find("\" has 3 components; 1 is needed.") != std::string::npos,
     "no mean of vectors");

@@ -213,7 +213,7 @@ void Abort(const Case& test, const std::string& name, double progress, Check& ch
   filter->SetCheckpointFileName(name.c_str());
   ProgressWatch watch;
   watch.AbortAt = progress;
-  Observe(filter, watch);
+  ObserveProgress(filter, watch);
   filter->Update();
   check.Equal(GetOutput(filter)->GetNumberOfPoints(), 0, "samples after an abort");
   check.Equal(GetOutput(filter)->GetPointData()->GetNumberOfArrays(), 0, "arrays after an abort");
@@ -319,7 +319,7 @@ void TestPieces(const std::string& name, Check& check)
   filter->SetCheckpointFileName(name.c_str());
   ProgressWatch watch;
   watch.AbortAt = 0.6;
-  Observe(filter, watch);
+  ObserveProgress(filter, watch);
   filter->UpdateInformation();
   filter->UpdatePiece(1, 2, 0);
   const std::string own = name.substr(0, name.size() - 4) + "_1.vtt";
@@ -364,7 +364,7 @@ void TestReplaced(const std::string& name, Check& check)
     {
       MakeCases()[0].Set(filter);
       filter->SetMaximumError(1e-3);
-      ExpectWarnings(filter);
+      AllowWarnings(filter);
     } };
   vtkNew<vtkImplicitFlowField> filter;
   other.Set(filter);

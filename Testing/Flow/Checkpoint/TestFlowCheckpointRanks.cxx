@@ -71,7 +71,7 @@ void TestRanks(Check& check, vtkMultiProcessController* controller)
   ProgressWatch watch;
   // Only process 1 aborts. The progress of the others never reaches 2.
   watch.AbortAt = rank == 1 ? 0.7 : 2.0;
-  Observe(stopped, watch);
+  ObserveProgress(stopped, watch);
   Update(stopped, controller);
   check.That(GetBytes(stopped).empty(), "no output after an abort in one process");
   check.That(std::filesystem::exists(own), "one file per process");

@@ -208,7 +208,7 @@ void TestValues(Check& check, const std::string& name, const VectorField& field,
       const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
       filter->SetInputData(MakePoints(positions));
       filter->SetFieldData(MakeImage(9, field));
-      check.That(MessagesOf(filter).empty(), "no messages");
+      check.That(UpdateAndGetErrors(filter).empty(), "no messages");
       const double deviation = GetDeviation(setting, setting.Length, setting.Length);
       double largest = 0.0;
       for (std::size_t i = 0; i < positions.size(); ++i)
@@ -381,7 +381,7 @@ void TestOutside(Check& check)
   vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
   filter->SetInputData(MakePoints(positions));
   filter->SetFieldData(MakeImage(5, Uniform));
-  check.That(MessagesOf(filter).empty(), "no messages");
+  check.That(UpdateAndGetErrors(filter).empty(), "no messages");
   check.Equal(filter->GetReport()->GetCount("Points"), 4, "points");
   check.Equal(filter->GetReport()->GetCount("PointsOutside"), 3, "points outside");
   check.That(GetValue(filter, 0) > 0.0, "inside");
@@ -464,7 +464,7 @@ void TestDatasets(Check& check)
     const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
     filter->SetInputData(MakePoints(positions));
     filter->SetFieldData(grid.second);
-    check.That(MessagesOf(filter).empty(), "no messages");
+    check.That(UpdateAndGetErrors(filter).empty(), "no messages");
     for (vtkIdType id = 0; id < 50; ++id)
     {
       if (values.size() < 50)
@@ -476,7 +476,7 @@ void TestDatasets(Check& check)
     // If there is no separate field, the input is the field, and values are computed at its points.
     const vtkSmartPointer<vtkFlowLIC> own = MakeFilter(setting);
     own->SetInputData(grid.second);
-    check.That(MessagesOf(own).empty(), "no messages without points input");
+    check.That(UpdateAndGetErrors(own).empty(), "no messages without points input");
     auto* output = vtkDataSet::SafeDownCast(own->GetOutputDataObject(0));
     check.That(output->IsA(grid.second->GetClassName()), "type");
     check.Equal(output->GetNumberOfCells(), grid.second->GetNumberOfCells(), "cells");
@@ -552,7 +552,7 @@ void TestErrors(Check& check)
   CheckError(filter, "no active point vectors", check);
   const vtkSmartPointer<vtkImageData> image = MakeImage(3, Uniform);
   filter->SetFieldData(image);
-  check.That(MessagesOf(filter).empty(), "a field");
+  check.That(UpdateAndGetErrors(filter).empty(), "a field");
   filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "wind");
   CheckError(filter, "\"wind\"", check);
   vtkNew<vtkDoubleArray> wind;
@@ -580,7 +580,7 @@ void TestErrors(Check& check)
   vtkNew<vtkFlowLIC> empty;
   vtkNew<vtkImageData> nothing;
   empty->SetInputData(nothing);
-  check.That(MessagesOf(empty).empty(), "an empty input");
+  check.That(UpdateAndGetErrors(empty).empty(), "an empty input");
 }
 
 void TestProgress(Check& check)

@@ -94,7 +94,7 @@ void TestSamples(Check& check)
 
   check.SetContext("large structured grid");
   const auto structured = MakeStructuredGrid({ { 40, 30, 50 } });
-  MovePoints(structured, MakeBend({ { 40, 30, 50 } }, 0.2));
+  MovePoints(structured, MakeDisplacement({ { 40, 30, 50 } }, 0.2));
   AddVectors(structured, Along);
   vtkNew<vtkDoubleArray> ids;
   ids->SetName("Ids");
@@ -295,7 +295,7 @@ void TestErrors(Check& check)
   vtkNew<vtkImplicitFlowField> field;
   field->SetInputDataObject(image);
   field->AddTerminationSurface(MakeFlowPlane(0.0));
-  check.Contains(MessagesOf(field), "Its point arrays with three components: \"");
+  check.Contains(UpdateAndGetErrors(field), "Its point arrays with three components: \"");
 }
 }
 

@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataObject* input)
 
 void Expect(vtkAlgorithm* filter, const std::string& part, Check& check)
 {
-  const std::string found = MessagesOf(filter);
+  const std::string found = UpdateAndGetErrors(filter);
   check.Contains(found, part);
 }
 
@@ -82,7 +82,7 @@ void TestBoundary(Check& check)
   const auto grid = MakeFlowMesh(MeshKind::Tetrahedra6, { { 4, 4, 4 } });
   AddVectors(grid, Shear);
   auto whole = NewFilter(grid);
-  check.That(MessagesOf(whole).empty(), "only tetrahedra");
+  check.That(UpdateAndGetErrors(whole).empty(), "only tetrahedra");
   vtkNew<vtkUnstructuredGrid> both;
   both->DeepCopy(grid);
   vtkNew<vtkIdList> corners;
@@ -94,13 +94,13 @@ void TestBoundary(Check& check)
     both->InsertNextCell(VTK_TRIANGLE, corners);
   }
   auto filter = NewFilter(both);
-  check.That(MessagesOf(filter).empty(), "no error");
+  check.That(UpdateAndGetErrors(filter).empty(), "no error");
   check.Equal(filter->GetReport()->GetCount("LowerDimensionalCells"), tetrahedra, "counted");
   check.Equal(whole->GetReport()->GetCount("LowerDimensionalCells"), 0, "no triangles to count");
   check.Near(GetTimes(filter), GetTimes(whole), 1e-12, "the results are unchanged");
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(filter->GetOutputPort());
-  check.That(MessagesOf(volume).empty(), "a volume without errors");
+  check.That(UpdateAndGetErrors(volume).empty(), "a volume without errors");
   check.That(volume->GetOutput()->GetNumberOfCells() > 0, "the volume has tetrahedra");
   vtkNew<vtkFlowCriticalPoints> points;
   points->SetInputData(both);
@@ -115,7 +115,7 @@ void TestBoundary(Check& check)
   blocks->SetBlock(0, patch);
   blocks->SetBlock(1, grid);
   auto composite = NewFilter(blocks);
-  const std::string wrong = MessagesOf(composite);
+  const std::string wrong = UpdateAndGetErrors(composite);
   check.That(wrong.empty(), "a block of triangles is skipped: " + wrong);
   check.Near(GetTimes(composite), GetTimes(whole), 1e-12, "the results are unchanged by the block");
 }
@@ -131,7 +131,7 @@ void TestTypes(Check& check)
     blocks->SetBlock(1, MakeBlock(2, type));
     auto filter = NewFilter(blocks);
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
-    check.That(MessagesOf(filter).empty(), "no error");
+    check.That(UpdateAndGetErrors(filter).empty(), "no error");
     auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
     check.Equal(output->GetNumberOfPoints(), 125, "number of samples of both");
     check.Equal(output->GetPointData()->GetVectors()->GetDataType(), VTK_DOUBLE, "vectors");
@@ -213,7 +213,7 @@ void TestAbort(Check& check)
     const vtkIdType whole = count();
     check.That(whole > 0, "the output is not empty");
     ProgressWatch watch;
-    Observe(filter, watch);
+    ObserveProgress(filter, watch);
     watch.AbortAt = 0.0;
     // Clears the abort flag at the end of the execution, because clearing it later would modify the
     // filter again.
@@ -253,7 +253,7 @@ void TestShortArrays(Check& check)
       vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0, "empty");
     // Samples on a separate image do not use the arrays of the field.
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
-    check.That(MessagesOf(filter).empty(), "samples of an image");
+    check.That(UpdateAndGetErrors(filter).empty(), "samples of an image");
   }
 }
 

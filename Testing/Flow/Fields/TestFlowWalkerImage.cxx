@@ -54,7 +54,7 @@ void CheckGrid(
 {
   check.SetContext(name);
   auto vectors = AddRandomVectors(data, 3);
-  WithWalker(data, vectors, check,
+  CallWithWalker(data, vectors, check,
     [&](const auto& walker)
     {
       CheckLocations(walker, data, vectors, 3, 1e-11, check, !isTurned && unit >= 1.0);
@@ -97,7 +97,7 @@ void CheckCorners(Check& check)
 {
   auto image = MakeBox(4, 4, 4);
   CheckCornerLines("", image, check);
-  WithWalker(image, image->GetPointData()->GetVectors(), check,
+  CallWithWalker(image, image->GetPointData()->GetVectors(), check,
     [&](const auto& walker) {
       CheckLine(walker, image, { { 2, 2, 2 } }, { { -1, -1, 1 } }, 1.0, check);
     });
@@ -108,7 +108,7 @@ void CheckDomainFaces(Check& check)
   check.SetContext("domain faces");
   auto image = MakeBox(4, 2, 3);
   auto vectors = AddRandomVectors(image, 5);
-  WithWalker(image, vectors, check,
+  CallWithWalker(image, vectors, check,
     [&](auto walker)
     {
       const Vector x = { { 3.5, 0.25, 1.75 } };
@@ -138,12 +138,12 @@ void CheckBlanking(Check& check)
   auto image = vtkSmartPointer<vtkUniformGrid>::New();
   image->SetDimensions(5, 4, 4);
   image->AllocateCellGhostArray();
-  HideRow(image->GetCellGhostArray());
+  HideLayer(image->GetCellGhostArray());
   auto vectors = AddRandomVectors(image, 5);
-  WithWalker(image, vectors, check,
+  CallWithWalker(image, vectors, check,
     [&](auto walker)
     {
-      const auto stopped = CheckHiddenRow(walker, check);
+      const auto stopped = CheckHiddenLayer(walker, check);
       check.Equal(stopped.Stand.GetDomainFace(stopped.EndFace), -1, "not a domain face");
       check.Equal(stopped.Stand.GetCell(), 1, "the walker is unchanged");
       Vector p;
@@ -166,7 +166,7 @@ void CheckBlanking(Check& check)
       return Vector{ { isHidden ? std::nan("") : 3.0, 0.0, isHidden ? 7.0 : 4.0 } };
     });
   points->BlankPoint(0);
-  WithWalker(points, outlier, check,
+  CallWithWalker(points, outlier, check,
     [&](auto walker)
     {
       Vector p;
@@ -188,7 +188,7 @@ void CheckNonFinite(Check& check)
       return Vector{ { x[0] == 0.0 && x[1] == 0.0 && x[2] == 0.0 ? std::nan("") : 1e200,
         x[0] == 4.0 && x[1] == 4.0 && x[2] == 4.0 ? infinity : 1e200, 0.0 } };
     });
-  WithWalker(image, vectors, check,
+  CallWithWalker(image, vectors, check,
     [&](auto walker)
     {
       check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 2, "vectors");
@@ -263,7 +263,7 @@ void CheckLargeIntegers(Check& check)
       return Vector{ { 16777217.0, 0.0, 0.0 } };
     },
     VTK_INT);
-  WithWalker(image, vectors, check,
+  CallWithWalker(image, vectors, check,
     [&](const auto& walker)
     { check.Equal(std::llround(walker.GetField().GetMaximumSpeed()), 16777217, "maximum speed"); });
 }

@@ -20,7 +20,7 @@ const std::array<int, 3> Cells = { { 5, 4, 6 } };
 vtkSmartPointer<vtkStructuredGrid> MakeCurved(double bend, const VectorField& position)
 {
   auto grid = MakeStructuredGrid(Cells);
-  MovePoints(grid, MakeBend(Cells, bend));
+  MovePoints(grid, MakeDisplacement(Cells, bend));
   MovePoints(grid, position);
   return grid;
 }
@@ -31,7 +31,7 @@ void CheckGrid(const std::string& name, vtkStructuredGrid* grid, double unit, do
 {
   check.SetContext(name);
   auto vectors = AddRandomVectors(grid, 3);
-  WithWalker(grid, vectors, check,
+  CallWithWalker(grid, vectors, check,
     [&](const auto& walker)
     {
       CheckLocations(walker, grid, vectors, 4, tolerance, check, unit >= 1.0);
@@ -84,7 +84,7 @@ void CheckCorners(Check& check)
 {
   auto grid = MakeStructuredGrid({ { 4, 4, 4 } });
   CheckCornerLines("", grid, check);
-  WithWalker(grid, grid->GetPointData()->GetVectors(), check,
+  CallWithWalker(grid, grid->GetPointData()->GetVectors(), check,
     [&](const auto& walker) {
       CheckLine(walker, grid, { { 2, 2, 2 } }, { { -1, -1, 1 } }, 1.0, check);
     });
@@ -97,7 +97,7 @@ void CheckSeam(Check& check)
   const std::array<int, 3> cells = { { 3, 16, 4 } };
   auto ring = MakeRing(cells);
   auto vectors = AddVectors(ring, [](const Vector& x) { return Vector{ { -x[1], x[0], 0.1 } }; });
-  WithWalker(ring, vectors, check,
+  CallWithWalker(ring, vectors, check,
     [&](auto walker)
     {
       CheckLocations(walker, ring, vectors, 3, 1e-12, check);
@@ -156,7 +156,7 @@ void CheckCut(Check& check)
       return Vector{ { s * s - index[1] * index[1], 2.0 * s * index[1], index[2] } };
     });
   auto vectors = AddRandomVectors(grid, 3);
-  WithWalker(grid, vectors, check,
+  CallWithWalker(grid, vectors, check,
     [&](auto walker)
     {
       const double start[3] = { 2.3, 0.4, 0.7 };
@@ -183,8 +183,9 @@ void CheckBlanking(Check& check)
   auto grid = MakeStructuredGrid({ { 4, 3, 3 } });
   auto vectors = AddRandomVectors(grid, 5);
   grid->AllocateCellGhostArray();
-  HideRow(grid->GetCellGhostArray());
-  WithWalker(grid, vectors, check, [&](const auto& walker) { CheckHiddenRow(walker, check); });
+  HideLayer(grid->GetCellGhostArray());
+  CallWithWalker(
+    grid, vectors, check, [&](const auto& walker) { CheckHiddenLayer(walker, check); });
 }
 
 // A wedge of revolution. The faces of cells at i = 0 collapse to lines on the axis.
@@ -199,7 +200,7 @@ void CheckCollapsed(Check& check)
       return Vector{ { index[0] * std::cos(angle), index[0] * std::sin(angle), index[2] } };
     });
   auto vectors = AddVectors(grid, [](const Vector&) { return Vector{ { 0.0, 0.0, 2.0 } }; });
-  WithWalker(grid, vectors, check,
+  CallWithWalker(grid, vectors, check,
     [&](auto walker)
     {
       CheckLocations(walker, grid, vectors, 3, 1e-10, check, false);
@@ -241,7 +242,7 @@ void CheckStraightCorner(Check& check)
   const Vector expected = { { up[0] + along[0], up[1] + along[1], up[2] + along[2] } };
   auto vectors = AddVectors(grid, [&](const Vector&) { return expected; });
   Random random(43);
-  WithWalker(grid, vectors, check,
+  CallWithWalker(grid, vectors, check,
     [&](auto walker)
     {
       CheckLocations(walker, grid, vectors, 20, 1e-10, check, false);
@@ -301,7 +302,7 @@ void CheckDistorted(Check& check)
         return Vector{ { x[0] + d[0], x[1] + d[1], x[2] + d[2] } };
       });
     auto vectors = AddRandomVectors(grid, seed);
-    WithWalker(grid, vectors, check,
+    CallWithWalker(grid, vectors, check,
       [&](auto walker)
       {
         Vector p;
@@ -333,7 +334,7 @@ void CheckFolded(Check& check)
   grid->GetPoints()->SetPoint(1 + 5 * (1 + 4), 3.4, 1.2, 1.1);
   grid->GetPoints()->SetPoint(3 + 5 * (2 + 4 * 2), 2.0, 2.0, 2.0);
   Random random(23);
-  WithWalker(grid, vectors, check,
+  CallWithWalker(grid, vectors, check,
     [&](auto walker)
     {
       for (int i = 0; i < 2000; ++i)
@@ -371,7 +372,7 @@ void CheckErrors(Check& check)
 std::vector<double> FindAll(vtkDataSet* data, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all(7 * data->GetNumberOfPoints());
-  WithWalker(data, vectors, check,
+  CallWithWalker(data, vectors, check,
     [&](const auto& prototype)
     {
       vtkSMPTools::For(0, data->GetNumberOfPoints(), 7,

@@ -25,7 +25,7 @@ void CheckMesh(
 {
   check.SetContext(name);
   auto vectors = AddRandomVectors(mesh, 3);
-  WithWalker(mesh, vectors, check,
+  CallWithWalker(mesh, vectors, check,
     [&](const auto& walker)
     {
       CheckLocations(walker, mesh, vectors, 3, tolerance, check, unit >= 1.0);
@@ -43,14 +43,14 @@ void CheckMeshes(Check& check)
     const std::string name = GetName(kind);
     CheckMesh(name, MakeFlowMesh(kind, Cells), 1.0, 1e-12, check);
     auto curved = MakeFlowMesh(kind, Cells, false);
-    MovePoints(curved, MakeBend(Cells, 0.25));
+    MovePoints(curved, MakeDisplacement(Cells, 0.25));
     CheckMesh(name + ", curved", curved, 1.0, 1e-10, check);
-    CheckMesh(name + ", rotated", TurnCells(curved, 5), 1.0, 1e-10, check);
+    CheckMesh(name + ", rotated", RotateCellPointOrder(curved, 5), 1.0, 1e-10, check);
     CheckMesh(name + ", mirrored", InvertCells(curved), 1.0, 1e-10, check);
     for (const double unit : { 1e-9, 1e9 })
     {
       auto flat = MakeFlowMesh(kind, Cells, false);
-      MovePoints(flat, MakeBend(Cells, 0.25));
+      MovePoints(flat, MakeDisplacement(Cells, 0.25));
       MovePoints(flat,
         [unit](const Vector& x) {
           return Vector{ { unit * x[0], unit * x[1], 1e-4 * unit * x[2] } };
@@ -75,9 +75,9 @@ void CheckApex(Check& check)
 {
   check.SetContext("apex");
   auto mesh = MakeFlowMesh(MeshKind::Pyramids, { { 2, 2, 2 } });
-  MovePoints(mesh, MakeBend({ { 2, 2, 2 } }, 0.3));
+  MovePoints(mesh, MakeDisplacement({ { 2, 2, 2 } }, 0.3));
   auto vectors = AddRandomVectors(mesh, 31);
-  WithWalker(mesh, vectors, check,
+  CallWithWalker(mesh, vectors, check,
     [&](auto walker)
     {
       for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
@@ -142,12 +142,12 @@ void CheckBlocks(Check& check)
   {
     auto mesh = append(kind);
     auto vectors = AddRandomVectors(mesh, 3);
-    WithWalker(
+    CallWithWalker(
       mesh, vectors, check, [&](const auto& walker) { CheckLines(walker, mesh, 20, 1.0, check); });
   }
   auto mesh = append(MeshKind::Tetrahedra6);
   auto vectors = AddRandomVectors(mesh, 3);
-  WithWalker(mesh, vectors, check,
+  CallWithWalker(mesh, vectors, check,
     [&](const auto& walker)
     {
       LineWalk<std::decay_t<decltype(walker)>> walk(walker, { { 0.5, 0.6, 0.7 } }, { { 1, 0, 0 } });
@@ -167,13 +167,13 @@ void CheckBlanking(Check& check)
   const double infinite[3] = { 0.0, std::numeric_limits<double>::infinity(), 0.0 };
   vectors->SetTuple(mesh->GetNumberOfPoints() - 1, infinite);
   mesh->AllocateCellGhostArray();
-  HideRow(mesh->GetCellGhostArray());
-  WithWalker(mesh, vectors, check,
+  HideLayer(mesh->GetCellGhostArray());
+  CallWithWalker(mesh, vectors, check,
     [&](const auto& walker)
     {
       check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 0, "vectors at unused points");
       check.Near(walker.GetField().GetMaximumSpeed(), 3.0, 1e-15, "maximum speed");
-      CheckHiddenRow(walker, check);
+      CheckHiddenLayer(walker, check);
     });
 }
 
@@ -186,7 +186,7 @@ void CheckHiddenAtOrigin(Check& check)
   mesh->AllocateCellGhostArray();
   mesh->GetCellGhostArray()->FillValue(0);
   mesh->GetCellGhostArray()->SetValue(0, vtkDataSetAttributes::HIDDENCELL);
-  WithWalker(mesh, vectors, check,
+  CallWithWalker(mesh, vectors, check,
     [&](auto walker)
     {
       Vector p;
@@ -207,7 +207,7 @@ void CheckNonFinite(Check& check)
   vectors->SetTuple(20, wrong);
   vtkNew<vtkIdList> ids;
   Random random(29);
-  WithWalker(mesh, vectors, check,
+  CallWithWalker(mesh, vectors, check,
     [&](auto walker)
     {
       check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 1, "vectors");
@@ -233,7 +233,7 @@ void CheckArrays(Check& check)
   {
     check.SetContext(GetName(kind) + ", arrays");
     auto mesh = MakeFlowMesh(kind, Cells, false);
-    MovePoints(mesh, MakeBend(Cells, 0.25));
+    MovePoints(mesh, MakeDisplacement(Cells, 0.25));
     auto vectors = AddRandomVectors(mesh, 3, VTK_FLOAT);
     vtkNew<vtkDoubleArray> parts[3];
     for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
@@ -294,7 +294,7 @@ void CheckErrors(Check& check)
 std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all;
-  WithWalker(mesh, vectors, check,
+  CallWithWalker(mesh, vectors, check,
     [&](const auto& walker)
     {
       Random random(41);
@@ -315,7 +315,7 @@ std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors, Ch
 void CheckThreads(Check& check)
 {
   auto mesh = MakeFlowMesh(MeshKind::Mixed, Cells, false);
-  MovePoints(mesh, MakeBend(Cells, 0.25));
+  MovePoints(mesh, MakeDisplacement(Cells, 0.25));
   auto vectors = AddRandomVectors(mesh, 3);
   check.That(WalkAll(mesh, vectors, check).size() > 200, "the lines cross cells");
   CheckSame(

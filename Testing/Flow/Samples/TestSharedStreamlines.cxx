@@ -6,7 +6,7 @@
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 
-#include "Samples/StreamlineSharing.h"
+#include "Samples/StreamlineInterpolation.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkDataArray.h"
@@ -32,7 +32,7 @@ namespace
 {
 
 using namespace reference;
-using interlume::StreamlineSharing;
+using interlume::StreamlineInterpolation;
 
 /// The exact result of the sample with indices i, j, k.
 struct Formula
@@ -81,15 +81,16 @@ Outcome Run(const std::vector<int>& points, const FormulaFunction& known, double
     uv[2 * i + 1] = result.V;
     times[i] = result.Time;
   };
-  const auto measure = [tolerance](
-                         const StreamlineSharing::SampleResult& guess, const double* own, double t)
+  const auto measure =
+    [tolerance](const StreamlineInterpolation::SampleResult& guess, const double* own, double t)
   {
     return std::max({ std::abs(guess.Parameters[0] - own[0]),
              std::abs(guess.Parameters[1] - own[1]), std::abs(guess.Time - t) }) /
       tolerance;
   };
-  StreamlineSharing sharing(points.data(), { status.data(), ids.data(), uv.data(), times.data() },
-    measure, [isPeriodic](int) { return isPeriodic; });
+  StreamlineInterpolation sharing(points.data(),
+    { status.data(), ids.data(), uv.data(), times.data() }, measure,
+    [isPeriodic](int) { return isPeriodic; });
   const auto follow = [&](const std::vector<vtkIdType>& followed)
   {
     for (const vtkIdType id : followed)
@@ -100,10 +101,10 @@ Outcome Run(const std::vector<int>& points, const FormulaFunction& known, double
   follow(sharing.GetFirst());
   while (sharing.Next())
   {
-    follow(sharing.GetFollowed());
+    follow(sharing.GetSamplesToAdvect());
     follow(sharing.CheckCenters());
     sharing.VisitInterpolated(
-      [&](vtkIdType id, const StreamlineSharing::SampleResult& result)
+      [&](vtkIdType id, const StreamlineInterpolation::SampleResult& result)
       {
         const Formula exact = get(id);
         Formula shared;

@@ -24,7 +24,7 @@ void CurvedGridSource::Ring(const double part[3], double x[3])
   x[2] = part[2] - 0.5 + 0.1 * std::sin(3.0 * part[0]);
 }
 
-void CurvedGridSource::Pole(const double part[3], double x[3])
+void CurvedGridSource::PolarGrid(const double part[3], double x[3])
 {
   const double angle = 2.0 * vtkMath::Pi() * part[1];
   x[0] = 1.3 * part[0] * std::cos(angle);
@@ -32,7 +32,7 @@ void CurvedGridSource::Pole(const double part[3], double x[3])
   x[2] = 1.6 * part[2] - 0.8 + 0.2 * part[0] * part[0];
 }
 
-void CurvedGridSource::Bow(const double part[3], double x[3])
+void CurvedGridSource::BentBox(const double part[3], double x[3])
 {
   x[0] = 2.0 * part[0] - 1.0 + 0.15 * std::sin(4.0 * part[1]);
   x[1] = 2.0 * part[1] - 1.0 + 0.2 * std::sin(3.0 * part[2] + part[0]);

@@ -195,7 +195,7 @@ void AddCurvedCases(std::vector<Case>& cases)
         filter->SetMaximumNumberOfSteps(4000);
       } });
   cases.push_back({ "hurricane around a pole",
-    [] { return MakeCurved(Flow::HURRICANE, CurvedGridSource::Pole, VTK_FLOAT); },
+    [] { return MakeCurved(Flow::HURRICANE, CurvedGridSource::PolarGrid, VTK_FLOAT); },
     [](vtkImplicitFlowField* filter)
     {
       AddPlane(filter, 0.31);
@@ -207,7 +207,7 @@ void AddCurvedCases(std::vector<Case>& cases)
   cases.push_back({ "hidden cells and points in a bent box",
     []
     {
-      CurvedGridSource* source = MakeCurved(Flow::ABC, CurvedGridSource::Bow);
+      CurvedGridSource* source = MakeCurved(Flow::ABC, CurvedGridSource::BentBox);
       source->IsBlanked = true;
       return source;
     },
@@ -263,7 +263,7 @@ void AddMeshCases(std::vector<Case>& cases)
   using Flow = vtkAnalyticFlowSource;
   using Kind = reference::MeshKind;
   const auto mixed =
-    RankMeshes::Make(Kind::Mixed, { { 7, 6, 8 } }, CurvedGridSource::Bow, Flow::HURRICANE);
+    RankMeshes::Make(Kind::Mixed, { { 7, 6, 8 } }, CurvedGridSource::BentBox, Flow::HURRICANE);
   cases.push_back(MakeMeshCase("hurricane in mixed cells", mixed, SetAll));
   const auto shuffled = vtkSmartPointer<vtkUnstructuredGrid>::New();
   shuffled->ShallowCopy(mixed);
@@ -288,7 +288,7 @@ void AddMeshCases(std::vector<Case>& cases)
     setOrbits));
   cases.push_back(MakeMeshCase("hexahedra around a pole",
     RankMeshes::Make(
-      Kind::Hexahedra, { { 6, 12, 7 } }, CurvedGridSource::Pole, Flow::HURRICANE, VTK_FLOAT),
+      Kind::Hexahedra, { { 6, 12, 7 } }, CurvedGridSource::PolarGrid, Flow::HURRICANE, VTK_FLOAT),
     [](vtkImplicitFlowField* filter)
     {
       AddPlane(filter, 0.31);
@@ -298,7 +298,7 @@ void AddMeshCases(std::vector<Case>& cases)
       filter->SetSampleDimensions(9, 8, 7);
     }));
   const auto hidden =
-    RankMeshes::Make(Kind::Wedges, { { 6, 7, 5 } }, CurvedGridSource::Bow, Flow::ABC);
+    RankMeshes::Make(Kind::Wedges, { { 6, 7, 5 } }, CurvedGridSource::BentBox, Flow::ABC);
   RankMeshes::Hide(hidden);
   // Fill values at points that several processes share. Each is counted once.
   for (const vtkIdType point : { 144, 150, 151 })
@@ -313,7 +313,8 @@ void AddMeshCases(std::vector<Case>& cases)
     }));
   cases.back().FillValues = 3;
   cases.push_back(MakeMeshCase("refined tetrahedra",
-    RankMeshes::Make(Kind::Tetrahedra12, { { 4, 5, 4 } }, CurvedGridSource::Bow, Flow::SOURCE_SINK),
+    RankMeshes::Make(
+      Kind::Tetrahedra12, { { 4, 5, 4 } }, CurvedGridSource::BentBox, Flow::SOURCE_SINK),
     [](vtkImplicitFlowField* filter)
     {
       AddSphere(filter, 0.4);
@@ -323,14 +324,14 @@ void AddMeshCases(std::vector<Case>& cases)
     }));
   cases.push_back(MakeMeshCase("pyramids, fewer samples",
     RankMeshes::Make(
-      Kind::Pyramids, { { 26, 26, 25 } }, CurvedGridSource::Bow, Flow::TORNADO, VTK_FLOAT),
+      Kind::Pyramids, { { 26, 26, 25 } }, CurvedGridSource::BentBox, Flow::TORNADO, VTK_FLOAT),
     [](vtkImplicitFlowField* filter)
     {
       filter->SetDomainFaces(true);
       filter->SetMaximumNumberOfSteps(1);
     }));
   cases.push_back(MakeMeshCase("five tetrahedra",
-    RankMeshes::Make(Kind::Tetrahedra5, { { 1, 1, 1 } }, CurvedGridSource::Bow, Flow::UNIFORM),
+    RankMeshes::Make(Kind::Tetrahedra5, { { 1, 1, 1 } }, CurvedGridSource::BentBox, Flow::UNIFORM),
     [](vtkImplicitFlowField* filter) { filter->SetDomainFaces(true); }));
 }
 
@@ -611,7 +612,7 @@ void TestMemories(Check& check, vtkMultiProcessController* controller)
     []
     {
       CurvedGridSource* source =
-        MakeCurved(vtkAnalyticFlowSource::UNIFORM, CurvedGridSource::Bow, VTK_FLOAT);
+        MakeCurved(vtkAnalyticFlowSource::UNIFORM, CurvedGridSource::BentBox, VTK_FLOAT);
       for (int i = 0; i < 6; ++i)
       {
         source->WholeExtent[i] = i % 2 ? 80 : 0;
@@ -619,7 +620,7 @@ void TestMemories(Check& check, vtkMultiProcessController* controller)
       return source;
     });
   const auto mesh = RankMeshes::Make(reference::MeshKind::Hexahedra, { { 72, 72, 72 } },
-    CurvedGridSource::Bow, vtkAnalyticFlowSource::UNIFORM, VTK_FLOAT);
+    CurvedGridSource::BentBox, vtkAnalyticFlowSource::UNIFORM, VTK_FLOAT);
   TestMemory(
     check, controller, "mesh", 73 * 73 * 73, 24, [mesh] { return RankMeshes::MakeSource(mesh); });
 }
@@ -705,7 +706,7 @@ void TestMeshPieces(Check& check, vtkMultiProcessController* controller)
   const auto make = [](Kind kind)
   {
     return RankMeshes::Make(
-      kind, { { 4, 3, 6 } }, CurvedGridSource::Bow, vtkAnalyticFlowSource::SHEAR);
+      kind, { { 4, 3, 6 } }, CurvedGridSource::BentBox, vtkAnalyticFlowSource::SHEAR);
   };
   const auto mesh = make(Kind::Hexahedra);
   const auto other = make(Kind::Tetrahedra6);
@@ -794,7 +795,7 @@ void TestErrors(Check& check, vtkMultiProcessController* controller)
     controller->GetNumberOfProcesses());
   info->Set(
     vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), controller->GetLocalProcessId());
-  const std::string message = MessagesOf(filter);
+  const std::string message = UpdateAndGetErrors(filter);
   check.That(
     message.find("Pressure") != std::string::npos, "the error names the missing array: " + message);
 }
@@ -816,10 +817,11 @@ int main(int argc, char* argv[])
   TestMeshPieces(check, controller);
   TestErrors(check, controller);
   TestAbort(check, controller, "structured grid",
-    vtk::TakeSmartPointer(MakeCurved(vtkAnalyticFlowSource::HURRICANE, CurvedGridSource::Pole)));
+    vtk::TakeSmartPointer(
+      MakeCurved(vtkAnalyticFlowSource::HURRICANE, CurvedGridSource::PolarGrid)));
   TestAbort(check, controller, "mesh",
     vtk::TakeSmartPointer(RankMeshes::MakeSource(RankMeshes::Make(reference::MeshKind::Hexahedra,
-      { { 14, 18, 10 } }, CurvedGridSource::Pole, vtkAnalyticFlowSource::HURRICANE))));
+      { { 14, 18, 10 } }, CurvedGridSource::PolarGrid, vtkAnalyticFlowSource::HURRICANE))));
   const vtkIdType failures = Sum(controller, check.Result() == EXIT_SUCCESS ? 0 : 1);
   vtkMultiProcessController::SetGlobalController(nullptr);
   controller->Finalize();

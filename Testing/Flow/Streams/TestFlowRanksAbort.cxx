@@ -68,7 +68,7 @@ void TestAbort(Check& check, vtkMultiProcessController* controller, int aborting
   set(filter);
   ProgressWatch watch;
   watch.AbortAt = rank == aborting ? at : 2.0;
-  const unsigned long tag = Observe(filter, watch);
+  const unsigned long tag = ObserveProgress(filter, watch);
   update(filter);
   check.Equal(
     static_cast<long long>(GetTimes(filter).size()), 0, "number of results after the abort");

@@ -40,7 +40,7 @@ void CheckClosed(const TexturedMesh& unit, const SurfaceScale& scale, bool isPer
   const std::string& name, Check& check)
 {
   check.SetContext(name + ", size " + std::to_string(scale.Size));
-  const TexturedMesh mesh = unit.Placed(scale);
+  const TexturedMesh mesh = unit.GetTransformed(scale);
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
   surface->SetPeriodicU(isPeriodic);
@@ -50,8 +50,8 @@ void CheckClosed(const TexturedMesh& unit, const SurfaceScale& scale, bool isPer
   check.Equal(surface->GetNumberOfBranchingEdges(), 0, "branching edges");
   check.Equal(
     surface->GetNumberOfTriangles(), static_cast<long long>(mesh.Triangles.size()), "triangles");
-  std::vector<Vector> positions = DifficultPositions(mesh);
-  const std::vector<Vector> more = PointsAround(scale, 1000, 2);
+  std::vector<Vector> positions = MakeSignTestPoints(mesh);
+  const std::vector<Vector> more = MakeRandomPointsNear(scale, 1000, 2);
   positions.insert(positions.end(), more.begin(), more.end());
   // Limits the number of points, because the winding number visits all triangles.
   const std::size_t stride = 1 + positions.size() * mesh.Triangles.size() / 1500000;
@@ -59,7 +59,7 @@ void CheckClosed(const TexturedMesh& unit, const SurfaceScale& scale, bool isPer
   for (std::size_t i = 0; i < positions.size(); i += stride)
   {
     const Vector& x = positions[i];
-    const double distance = DistanceOf(surface, x);
+    const double distance = GetSurfaceDistance(surface, x);
     const double expected = NearestDistance(mesh, x);
     check.Near(std::abs(distance), expected, 30.0 * scale.Rounding, "distance", scale.Size);
     const double winding = WindingNumber(mesh, x);
@@ -106,7 +106,8 @@ void CheckNormalsOfMesh(Check& check)
       Vector step = { { 0.0, 0.0, 0.0 } };
       step[axis] = 1e-6;
       const double slope =
-        (DistanceOf(surface, center + step) - DistanceOf(surface, center - step)) / 2e-6;
+        (GetSurfaceDistance(surface, center + step) - GetSurfaceDistance(surface, center - step)) /
+        2e-6;
       check.Near(slope, normal[axis], 1e-6, "gradient", 1.0);
     }
     const Vector& corner = mesh.Points[t[0]];
@@ -126,9 +127,9 @@ void CheckConvergence(Check& check)
     surface->SetMesh(MakeGridMesh(2 * n, n, OnSphere).MakeData());
     surface->Update();
     double error = 0.0;
-    for (const Vector& x : PointsAround(SurfaceScale(), 1000, 4))
+    for (const Vector& x : MakeRandomPointsNear(SurfaceScale(), 1000, 4))
     {
-      reference::KeepLargest(error, std::abs(DistanceOf(surface, x) - (GetNorm(x) - 0.7)));
+      reference::KeepLargest(error, std::abs(GetSurfaceDistance(surface, x) - (GetNorm(x) - 0.7)));
     }
     check.That(before == 0.0 || (error < before / 3.5 && error > before / 4.5),
       "the error decreases from " + std::to_string(before) + " to " + std::to_string(error));
@@ -142,19 +143,19 @@ void CheckOpen(const SurfaceScale& scale, Check& check)
   const TexturedMesh mesh = MakeGridMesh(6, 5,
     [](double u, double v) {
       return Vector{ { u - 0.5, v - 0.5, 0.0 } };
-    }).Placed(scale);
+    }).GetTransformed(scale);
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
   check.That(surface->Update().empty(), "no error");
   check.Equal(surface->GetNumberOfBorderEdges(), 22, "number of boundary edges");
-  for (const Vector& x : PointsAround(scale, 1000, 6))
+  for (const Vector& x : MakeRandomPointsNear(scale, 1000, 6))
   {
     const Vector p = x - scale.Center;
     const double beyond =
       std::max({ std::abs(p[0]) - 0.5 * scale.Size, std::abs(p[1]) - 0.5 * scale.Size, 0.0 });
-    check.Near(std::abs(DistanceOf(surface, x)), NearestDistance(mesh, x), 30.0 * scale.Rounding,
-      "distance", scale.Size);
-    check.That((DistanceOf(surface, x) > 0.0) == (p[2] > 0.0) || beyond > 0.0, "side");
+    check.Near(std::abs(GetSurfaceDistance(surface, x)), NearestDistance(mesh, x),
+      30.0 * scale.Rounding, "distance", scale.Size);
+    check.That((GetSurfaceDistance(surface, x) > 0.0) == (p[2] > 0.0) || beyond > 0.0, "side");
     Vector foot = x;
     foot[2] = scale.Center[2];
     check.That(surface->IsOn(foot.data()) == (beyond == 0.0), "IsOn");
@@ -212,9 +213,10 @@ void CheckFan(Check& check)
     surfaces[1]->EvaluateNormal(point.data(), normals[1].data());
     check.Near(GetNorm(normals[0] - normals[1]), 0.0, 1e-6, "normal at a vertex", 1.0);
   }
-  for (const Vector& x : DifficultPositions(whole))
+  for (const Vector& x : MakeSignTestPoints(whole))
   {
-    check.Near(DistanceOf(surfaces[1], x), DistanceOf(surfaces[0], x), 1e-12, "the distance", 1.0);
+    check.Near(GetSurfaceDistance(surfaces[1], x), GetSurfaceDistance(surfaces[0], x), 1e-12,
+      "the distance", 1.0);
   }
 }
 
@@ -234,8 +236,8 @@ void CheckSheets(Check& check)
   const Vector below = { { 0.2, 0.2, 0.499 } };
   const Vector above = { { 0.2, 0.2, 0.501 } };
   const Vector between = { { 0.2, 0.2, 0.5 } };
-  check.That(
-    DistanceOf(surface, below) > 0.0 && DistanceOf(surface, above) < 0.0, "the sign changes");
+  check.That(GetSurfaceDistance(surface, below) > 0.0 && GetSurfaceDistance(surface, above) < 0.0,
+    "the sign changes");
   check.That(!surface->IsOn(between.data()), "the discontinuity is not on the surface");
   const Vector on = { { 0.2, 0.2, 1.0 + 1e-10 } };
   check.That(surface->IsOn(on.data()), "a sheet is on the surface");

@@ -43,13 +43,14 @@ void CheckSame(const TexturedMesh& changed, const TexturedMesh& mesh, const std:
   check.That(error.empty(), "no error: " + error);
   check.Equal(surface->GetNumberOfDegenerateTriangles(), degenerate, "degenerate triangles");
   check.Equal(surface->GetNumberOfBorderEdges(), 0, "number of boundary edges");
-  std::vector<Vector> positions = DifficultPositions(mesh);
-  const std::vector<Vector> more = PointsAround(SurfaceScale(), 300, 8);
+  std::vector<Vector> positions = MakeSignTestPoints(mesh);
+  const std::vector<Vector> more = MakeRandomPointsNear(SurfaceScale(), 300, 8);
   positions.insert(positions.end(), more.begin(), more.end());
   for (const Vector& x : positions)
   {
     const double sign = WindingNumber(mesh, x) > 0.5 ? -1.0 : 1.0;
-    check.Near(DistanceOf(surface, x), sign * NearestDistance(mesh, x), 1e-8, "distance", 1.0);
+    check.Near(
+      GetSurfaceDistance(surface, x), sign * NearestDistance(mesh, x), 1e-8, "distance", 1.0);
   }
 }
 
@@ -68,8 +69,8 @@ void CheckOrientation(Check& check)
   }
   CheckSame(turned, star, "some triangles inverted", check);
   // Two solids, one of them inverted.
-  TexturedMesh pair = star.Placed({ 0.3, { { -0.5, 0.0, 0.0 } } });
-  const TexturedMesh other = star.Placed({ 0.3, { { 0.5, 0.1, 0.0 } } });
+  TexturedMesh pair = star.GetTransformed({ 0.3, { { -0.5, 0.0, 0.0 } } });
+  const TexturedMesh other = star.GetTransformed({ 0.3, { { 0.5, 0.1, 0.0 } } });
   const int first = static_cast<int>(pair.Points.size());
   pair.Points.insert(pair.Points.end(), other.Points.begin(), other.Points.end());
   pair.Texture.insert(pair.Texture.end(), other.Texture.begin(), other.Texture.end());
@@ -109,7 +110,7 @@ void CheckOpenOrientation(Check& check)
     for (const auto& position : mesh.Texture)
     {
       const Vector x = { { position[0], position[1], 0.1 } };
-      check.Near(DistanceOf(surface, x), isDown ? -0.1 : 0.1, 1e-12, "side");
+      check.Near(GetSurfaceDistance(surface, x), isDown ? -0.1 : 0.1, 1e-12, "side");
       double uv[2];
       surface->EvaluateParameters(x.data(), uv);
       check.Near(uv[0], position[0], 1e-12, "u", 1.0);
@@ -193,9 +194,10 @@ void CheckBranching(Check& check)
   check.That(surface->Update().empty(), "no error");
   check.Equal(surface->GetNumberOfBranchingEdges(), 1, "branching edges");
   check.Equal(surface->GetNumberOfBorderEdges(), 6, "number of boundary edges");
-  for (const Vector& x : PointsAround(SurfaceScale(), 300, 8))
+  for (const Vector& x : MakeRandomPointsNear(SurfaceScale(), 300, 8))
   {
-    check.Near(std::abs(DistanceOf(surface, x)), NearestDistance(mesh, x), 1e-12, "distance", 1.0);
+    check.Near(
+      std::abs(GetSurfaceDistance(surface, x)), NearestDistance(mesh, x), 1e-12, "distance", 1.0);
   }
 }
 
@@ -216,12 +218,12 @@ void CheckMessage(vtkPolyData* data, const std::string& expected, Check& check)
   surface->GetBounds(bounds);
   check.That(bounds[0] > bounds[1], "no bounds");
   check.That(!surface->IsOn(x.data()) && !surface->EvaluatePoint(0, uv, y.data()), "no surface");
-  check.That(DistanceOf(surface, x) == VTK_DOUBLE_MAX, "no distance");
+  check.That(GetSurfaceDistance(surface, x) == VTK_DOUBLE_MAX, "no distance");
   surface->EvaluateParameters(x.data(), uv);
   surface->EvaluateNormal(x.data(), y.data());
   surface->SetMesh(MakeTetrahedron().MakeData());
   check.That(surface->Update().empty(), "a valid mesh is accepted again");
-  check.That(DistanceOf(surface, x) < 0.0, "distance to the valid mesh");
+  check.That(GetSurfaceDistance(surface, x) < 0.0, "distance to the valid mesh");
 }
 
 void CheckMessages(Check& check)
@@ -300,7 +302,7 @@ void CheckChanges(Check& check)
   surface->Update();
   const vtkMTimeType time = data->GetMTime();
   const Vector x = { { 0.0, 0.0, 2.0 } };
-  const double before = DistanceOf(surface, x);
+  const double before = GetSurfaceDistance(surface, x);
   check.That(surface->Update().empty(), "again");
   check.That(data->GetMTime() == time, "the mesh is not modified");
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
@@ -312,7 +314,7 @@ void CheckChanges(Check& check)
   data->GetPoints()->Modified();
   data->Modified();
   surface->Update();
-  check.Near(DistanceOf(surface, x), before - 1.0, 1e-12, "distance to the moved mesh");
+  check.Near(GetSurfaceDistance(surface, x), before - 1.0, 1e-12, "distance to the moved mesh");
 }
 
 }

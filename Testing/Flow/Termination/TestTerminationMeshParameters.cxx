@@ -57,7 +57,7 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
 {
   check.SetContext(name + ", size " + std::to_string(scale.Size));
   vtkNew<vtkTerminationMesh> surface;
-  surface->SetMesh(mesh.Placed(scale).MakeData());
+  surface->SetMesh(mesh.GetTransformed(scale).MakeData());
   surface->PeriodicUOn();
   const std::string error = surface->Update();
   check.That(error.empty(), "no error: " + error);
@@ -76,7 +76,7 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
     check.Near(uv[0] - u - std::round(uv[0] - u), 0.0, 2e-4, "u", 1.0);
     check.Near(uv[1], v, 1e-6, "v", 1.0);
     check.That(uv[0] >= 0.0 && uv[0] < 1.0, "u is at least 0 and below 1");
-    const double distance = DistanceOf(surface, x) / scale.Size;
+    const double distance = GetSurfaceDistance(surface, x) / scale.Size;
     check.That(distance >= -1e-6 && distance < 0.01, "the mesh is inside the cylinder");
     const double lifted[2] = { u - std::floor(u), v };
     Vector y;

@@ -111,11 +111,12 @@ void CheckDefaults(vtkTerminationSurface* surface, Check& check)
   const Vector x = { { 0.31, -0.22, 0.4 } };
   Vector before;
   Vector after;
-  const double distance = DistanceOf(surface, x);
+  const double distance = GetSurfaceDistance(surface, x);
   check.That(surface->EvaluatePoint(0, uv, before.data()), "EvaluatePoint succeeds before Update");
   check.That(surface->Update().empty(), "the defaults are valid");
   check.That(surface->EvaluatePoint(0, uv, after.data()), "EvaluatePoint succeeds after Update");
-  check.That(before == after && distance == DistanceOf(surface, x), "both points are equal");
+  check.That(
+    before == after && distance == GetSurfaceDistance(surface, x), "both points are equal");
   check.Equal(surface->GetId(), -1, "id");
   surface->SetId(-7);
   check.Equal(surface->GetId(), -1, "the id is clamped");

@@ -49,7 +49,7 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
   source->SetSurface(surface);
   source->SetResolutionU(resolution);
   source->SetResolutionV(resolution);
-  const std::string messages = MessagesOf(source);
+  const std::string messages = UpdateAndGetErrors(source);
   check.That(messages.empty(), "no messages: " + messages);
   vtkPolyData* output = source->GetOutput();
   vtkDataArray* texture = output->GetPointData()->GetTCoords();
@@ -75,7 +75,8 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
     {
       const vtkIdType point = cell->GetId(k);
       corners[k] = PointOf(output, point);
-      check.Near(DistanceOf(surface, corners[k]), 0.0, 1e-12, "the point is on the surface", 1.0);
+      check.Near(
+        GetSurfaceDistance(surface, corners[k]), 0.0, 1e-12, "the point is on the surface", 1.0);
       const double* uv = texture->GetTuple(point);
       Vector again;
       check.That(surface->EvaluatePoint(id - surface->GetId(), uv, again.data()) &&
@@ -154,17 +155,17 @@ void CheckErrors(Check& check)
 {
   check.SetContext("messages");
   vtkNew<vtkTerminationSurfaceSource> source;
-  check.Contains(MessagesOf(source), "call SetSurface");
+  check.Contains(UpdateAndGetErrors(source), "call SetSurface");
   vtkNew<vtkTerminationSphere> sphere;
   source->SetSurface(sphere);
   for (double radius : { -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
     sphere->SetRadius(radius);
-    check.Contains(MessagesOf(source), "radius must be finite and greater than 0");
+    check.Contains(UpdateAndGetErrors(source), "radius must be finite and greater than 0");
     check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "the output is empty");
   }
   sphere->SetRadius(1.0);
-  check.That(MessagesOf(source).empty(), "a valid radius");
+  check.That(UpdateAndGetErrors(source).empty(), "a valid radius");
   check.That(source->GetOutput()->GetNumberOfCells() > 1000, "a modified surface is detected");
   source->SetResolutionU(0);
   check.Equal(source->GetResolutionU(), 1, "clamped to the minimum");
@@ -217,7 +218,7 @@ void CheckReport(Check& check)
   check.Equal(report->GetCount("Triangles"), source->GetOutput()->GetNumberOfCells(),
     "triangles of a diamond");
   source->SetSurface(nullptr);
-  check.That(!MessagesOf(source).empty(), "no surface");
+  check.That(!UpdateAndGetErrors(source).empty(), "no surface");
   check.Equal(
     report->GetCount("Parts") + report->GetCount("Points") + report->GetCount("Triangles"), 0,
     "no output after an error");

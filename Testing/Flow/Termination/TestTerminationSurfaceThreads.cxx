@@ -27,7 +27,7 @@ using Evaluation = std::array<double, 11>;
 Evaluation Evaluate(const vtkTerminationSurface* surface, const Vector& x)
 {
   Evaluation result{};
-  result[0] = DistanceOf(surface, x);
+  result[0] = GetSurfaceDistance(surface, x);
   result[1] = surface->IsOn(x.data()) ? 1.0 : 0.0;
   const int part = surface->EvaluatePart(x.data());
   result[2] = part;
@@ -41,7 +41,7 @@ void CheckSurface(vtkTerminationSurface* surface, const std::string& name, Check
 {
   check.SetContext(name);
   check.That(surface->Update().empty(), "no error");
-  const std::vector<Vector> points = PointsAround(SurfaceScale(), 3000, 31);
+  const std::vector<Vector> points = MakeRandomPointsNear(SurfaceScale(), 3000, 31);
   std::vector<Evaluation> expected;
   expected.reserve(points.size());
   for (const Vector& x : points)
@@ -104,7 +104,7 @@ int TestTerminationSurfaceThreads(int, char*[])
   vtkNew<vtkTerminationMesh> again;
   again->SetMesh(mesh->GetMesh());
   again->Update();
-  for (const Vector& x : PointsAround(SurfaceScale(), 500, 3))
+  for (const Vector& x : MakeRandomPointsNear(SurfaceScale(), 500, 3))
   {
     check.That(Evaluate(mesh, x) == Evaluate(again, x), "a second surface of the same mesh");
   }

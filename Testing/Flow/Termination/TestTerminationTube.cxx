@@ -234,7 +234,7 @@ void CheckData(Check& check)
   vtkNew<vtkTerminationTube> tube;
   tube->SetLine(data);
   check.That(tube->Update().empty(), "no error");
-  for (const Vector& x : PointsAround(SurfaceScale(), 300, 5))
+  for (const Vector& x : MakeRandomPointsNear(SurfaceScale(), 300, 5))
   {
     double a[2];
     double b[2];
@@ -286,8 +286,8 @@ void CheckMessages(Check& check)
     tube->GetBounds(bounds);
     check.That(bounds[0] > bounds[1], "no bounds");
     check.That(!tube->IsOn(x.data()) && !tube->EvaluatePoint(0, uv, y.data()), "no surface");
-    check.That(
-      DistanceOf(tube, x) == VTK_DOUBLE_MAX && tube->EvaluatePart(x.data()) == 0, "no distance");
+    check.That(GetSurfaceDistance(tube, x) == VTK_DOUBLE_MAX && tube->EvaluatePart(x.data()) == 0,
+      "no distance");
     tube->EvaluateParameters(x.data(), uv);
     tube->EvaluateNormal(x.data(), y.data());
   }

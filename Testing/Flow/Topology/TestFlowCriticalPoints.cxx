@@ -101,7 +101,7 @@ void CheckLocations(Check& check)
         std::to_string(position[1]) + " " + std::to_string(position[2]));
       auto mesh = MakeMesh(kind, { 3, 4, 2 });
       CheckLinear(mesh, GenericMatrix, position, 1.0, check);
-      CheckLinear(TurnCells(mesh, 3), GenericMatrix, position, 1.0, check);
+      CheckLinear(RotateCellPointOrder(mesh, 3), GenericMatrix, position, 1.0, check);
       CheckLinear(InvertCells(mesh), GenericMatrix, position, 1.0, check);
       if (kind == MeshKind::Voxels)
       {
@@ -121,7 +121,7 @@ void CheckLocations(Check& check)
   turned->SetDirectionMatrix(0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6);
   for (vtkImageData* lattice : { image.Get(), turned.Get() })
   {
-    for (const LatticeForm& form : FormsOf(lattice))
+    for (const DataSetVariant& form : FormsOf(lattice))
     {
       check.SetContext(form.Name);
       for (const vtkIdType point : { 0, 37, 61, 119 })

@@ -112,11 +112,11 @@ void CheckErrors(Check& check)
     check.SetContext(one.Part);
     auto input = MakeInput(4);
     vtkNew<vtkFlowVolume> volume;
-    ExpectWarnings(volume);
+    AllowWarnings(volume);
     SetAll(volume);
     one.Spoil(volume, input);
     volume->SetInputData(input);
-    const std::string message = MessagesOf(volume);
+    const std::string message = UpdateAndGetErrors(volume);
     check.Contains(message, one.Part);
     for (int port = 0; port < 3; ++port)
     {
@@ -126,13 +126,13 @@ void CheckErrors(Check& check)
     volume->SetNumberOfStreamSurfaces(0);
     volume->SetNumberOfTimeSurfaces(0);
     SetAll(volume);
-    check.That(MessagesOf(volume).empty(), "output after the correction");
+    check.That(UpdateAndGetErrors(volume).empty(), "output after the correction");
   }
   check.SetContext("settings");
   vtkNew<vtkFlowVolume> volume;
-  ExpectWarnings(volume);
-  check.Contains(ErrorsOf(volume, [&]() { volume->SetStreamSurface(-1, 0.5); }), "-1");
-  check.Contains(ErrorsOf(volume, [&]() { volume->SetInterval(10000, 0.0, 1.0); }),
+  AllowWarnings(volume);
+  check.Contains(CaptureErrors(volume, [&]() { volume->SetStreamSurface(-1, 0.5); }), "-1");
+  check.Contains(CaptureErrors(volume, [&]() { volume->SetInterval(10000, 0.0, 1.0); }),
     "Interval index 10000 is not in the range 0 to 9999.");
   check.Near(volume->GetStreamSurface(3), 0.0, 0.0, "intervals that do not exist", 1.0);
   volume->SetTimeSurface(2, 0.5);
@@ -154,9 +154,9 @@ void CheckErrors(Check& check)
     flat->SetDimensions(5, 5, thickness);
     AddFlow(flat, CylinderFlow(0.2), { { { 0, 1, 0 } } });
     vtkNew<vtkFlowVolume> times;
-    ExpectWarnings(times);
+    AllowWarnings(times);
     times->SetInputData(flat);
-    check.That(MessagesOf(times).empty(), "no error");
+    check.That(UpdateAndGetErrors(times).empty(), "no error");
     check.Equal(times->GetOutput()->GetNumberOfCells(), 0, "no cells");
   }
 }
@@ -182,7 +182,7 @@ void CheckArrays(Check& check)
   input->GetPointData()->AddArray(heat);
   input->GetCellData()->AddArray(zone);
   vtkNew<vtkFlowVolume> volume;
-  ExpectWarnings(volume);
+  AllowWarnings(volume);
   volume->SetInputData(input);
   SetAll(volume);
   volume->ParametersAsTextureCoordinatesOn();

@@ -76,7 +76,7 @@ int TestFlowVolumePay(int, char*[])
   Check check;
   Watch watch(check);
   vtkFlowVolume* volume = watch.Volume;
-  ExpectWarnings(volume);
+  AllowWarnings(volume);
   watch.Update("no settings: only tetrahedra", { 1, 0, 1, 0, 0 });
   volume->GenerateStreamSurfacesOn();
   volume->GenerateTimeSurfacesOn();

@@ -199,7 +199,7 @@ void TestRotation(Check& check)
       }
       check.That(sided > 0, "some samples have a side");
       vtkNew<vtkFlowVolume> volume;
-      ExpectWarnings(volume);
+      AllowWarnings(volume);
       volume->SetInputData(samples);
       volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       volume->Update();
@@ -404,7 +404,7 @@ void TestSource(Check& check)
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(field->GetOutputPort());
   volume->SetTimeRange(0.2, 0.6);
-  check.That(MessagesOf(volume).empty(), "no messages");
+  check.That(UpdateAndGetErrors(volume).empty(), "no messages");
   check.Equal(volume->GetReport()->GetCount("CellsAcrossSurfaces"), 0, "no cell is omitted");
   check.Near(MeasureVolume(volume->GetOutput()), 0.8, 1e-6, "volume");
   vtkIdType sided = 0;
@@ -429,7 +429,7 @@ void TestBadArray(Check& check)
   image->GetPointData()->AddArray(sides);
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputData(image);
-  const std::string message = MessagesOf(volume);
+  const std::string message = UpdateAndGetErrors(volume);
   check.Contains(message, "\"TerminationSide\" has 2 components");
   check.Equal(volume->GetOutput()->GetNumberOfCells(), 0, "nothing");
 }

@@ -391,7 +391,7 @@ void CheckGhosts(Check& check)
   ghosts->SetValue(1, vtkDataSetAttributes::DUPLICATECELL);
   ghosts->SetValue(124, vtkDataSetAttributes::HIDDENCELL);
   image->GetCellData()->AddArray(ghosts);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     check.SetContext("ghosts, " + form.Name);
     AddFlow(form.Data, UniformFlow(1.0), { { { 0, 0, 0 } } });

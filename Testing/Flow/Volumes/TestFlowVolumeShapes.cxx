@@ -106,7 +106,7 @@ void CheckUniform(Check& check)
 void CheckForms(Check& check)
 {
   std::vector<GeometricSimplex> expected[3];
-  for (const LatticeForm& form : FormsOf(MakeUniform(9)))
+  for (const DataSetVariant& form : FormsOf(MakeUniform(9)))
   {
     check.SetContext(form.Name);
     AddFlow(form.Data, UniformFlow(0.5), { { { 0, 0, 0 } } });

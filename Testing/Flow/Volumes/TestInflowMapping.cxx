@@ -90,7 +90,7 @@ double Around(double u)
 void CheckFormulas(Check& check)
 {
   vtkNew<vtkInflowMapping> mapping;
-  ExpectWarnings(mapping);
+  AllowWarnings(mapping);
   CheckValues(
     mapping, "default", check, [](int id, double u, double) { return id ? u : Around(u); });
   mapping->SetFormula(vtkInflowMapping::ALL, "u + 2*v + 10*f");
@@ -112,7 +112,7 @@ void CheckFormulas(Check& check)
 void CheckRings(Check& check)
 {
   vtkNew<vtkInflowMapping> mapping;
-  ExpectWarnings(mapping);
+  AllowWarnings(mapping);
   mapping->AddRing(vtkInflowMapping::ALL, 0.9, 0.4, 0.25, 0.1, 2.0);
   mapping->AddRing(vtkInflowMapping::ALL, 0.1, 0.6, 0.0, 0.3);
   check.Equal(mapping->GetNumberOfRings(vtkInflowMapping::ALL), 2, "rings");
@@ -187,7 +187,7 @@ void CheckImages(Check& check)
     {
       auto image = MakeTexture(one.Size, components);
       vtkNew<vtkInflowMapping> mapping;
-      ExpectWarnings(mapping);
+      AllowWarnings(mapping);
       mapping->SetImage(vtkInflowMapping::ALL, image);
       CheckValues(mapping, "image " + std::to_string(components), check,
         [&](int id, double u, double v)
@@ -197,7 +197,7 @@ void CheckImages(Check& check)
   check.SetContext("a modified image");
   auto image = MakeTexture({ { 2, 1, 1 } }, 1);
   vtkNew<vtkInflowMapping> mapping;
-  ExpectWarnings(mapping);
+  AllowWarnings(mapping);
   mapping->SetImage(3, image);
   check.That(mapping->GetImage(3) == image, "GetImage");
   check.Near(mapping->Evaluate(3, 1.0, 0.0), 37.0, 1e-15, "before");
@@ -292,19 +292,20 @@ void CheckErrors(Check& check)
   empty->SetDimensions(2, 2, 1);
   CheckError(mapping, "The image has no active point scalars.", check);
   mapping->RemoveMapping(4);
-  check.That(MessagesOf(mapping).empty(), "no error after the correction");
+  check.That(UpdateAndGetErrors(mapping).empty(), "no error after the correction");
 
   const vtkMTimeType before = mapping->GetMTime();
-  check.Contains(ErrorsOf(mapping, [&]() { mapping->AddRing(0, 0.5, 0.5, 0.1, 0.0); }), "width 0");
+  check.Contains(
+    CaptureErrors(mapping, [&]() { mapping->AddRing(0, 0.5, 0.5, 0.1, 0.0); }), "width 0");
   const double rings[4][4] = { { 0.5, NAN, 0.1, 1.0 }, { NAN, 0.5, 0.1, 1.0 },
     { 0.5, 0.5, INFINITY, 1.0 }, { 0.5, 0.5, 0.1, -1.0 } };
   for (const double* ring : rings)
   {
     check.Contains(
-      ErrorsOf(mapping, [&]() { mapping->AddRing(0, ring[0], ring[1], ring[2], ring[3]); }),
+      CaptureErrors(mapping, [&]() { mapping->AddRing(0, ring[0], ring[1], ring[2], ring[3]); }),
       "The ring with id");
   }
-  check.Contains(ErrorsOf(mapping, [&]() { mapping->SetFormula(-2, "u"); }), "-2");
+  check.Contains(CaptureErrors(mapping, [&]() { mapping->SetFormula(-2, "u"); }), "-2");
   check.Equal(mapping->GetKind(0), vtkInflowMapping::NONE, "the invalid setting is ignored");
   mapping->SetFormula(vtkInflowMapping::ALL, "u");
   check.Equal(static_cast<long long>(mapping->GetMTime() - before), 0,
@@ -322,7 +323,7 @@ void CheckRuns(Check& check)
   const auto run = []()
   {
     std::vector<vtkSmartPointer<vtkUnstructuredGrid>> outputs;
-    for (const LatticeForm& form : FormsOf(MakeSamples()))
+    for (const DataSetVariant& form : FormsOf(MakeSamples()))
     {
       if (!form.Data->IsA("vtkUnstructuredGrid"))
       {
@@ -342,9 +343,9 @@ void CheckRuns(Check& check)
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputData(MakeSamples());
   ProgressWatch watch;
-  Observe(mapping, watch);
+  ObserveProgress(mapping, watch);
   mapping->Update();
-  CheckGrowth(watch, 3, check);
+  CheckMonotonicProgress(watch, 3, check);
   watch = ProgressWatch();
   watch.AbortAt = 0.3;
   mapping->Modified();

@@ -591,7 +591,7 @@ void CheckErrors(Check& check)
     input->DeepCopy(pipeline.Volume->GetOutput(1));
     one.Spoil(pipeline.Parameters, input);
     pipeline.Parameters->SetInputData(input);
-    const std::string message = MessagesOf(pipeline.Parameters);
+    const std::string message = UpdateAndGetErrors(pipeline.Parameters);
     check.Contains(message, one.Part);
     check.Equal(pipeline.Parameters->GetOutput()->GetNumberOfCells(), 0, "no output");
   }
@@ -608,10 +608,10 @@ void CheckErrors(Check& check)
   check.Near(pipeline.GetLength(0), 2.0, 1e-9, "a modified surface causes an execution");
   CheckPrinted(Print(pipeline.Parameters), { "Mapping: set", "Resolution: 256" }, check);
   ProgressWatch watch;
-  Observe(pipeline.Parameters, watch);
+  ObserveProgress(pipeline.Parameters, watch);
   pipeline.Parameters->Modified();
   pipeline.Update();
-  CheckGrowth(watch, 3, check);
+  CheckMonotonicProgress(watch, 3, check);
   // A contour smaller than a cell of the contour grid is not found.
   check.SetContext("no contour");
   Pipeline small(MakePlaneFlow(41), "(u-0.525)^2+(v-0.525)^2", { 0.0002 }, plane);

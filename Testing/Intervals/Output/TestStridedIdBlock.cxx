@@ -138,8 +138,8 @@ void CheckVolume(Check& check)
   const Id* const ids =
     static_cast<const Id*>(output->GetCells()->GetConnectivityArray()->GetVoidPointer(0));
   const Tetrahedron aligned{};
-  check.Equal(StridedIdBlock::IsStreamed(ids, output->GetNumberOfCells()),
-    StridedIdBlock::IsStreamed(aligned.Ids, vtkIdType(1) << 31),
+  check.Equal(StridedIdBlock::ShouldStream(ids, output->GetNumberOfCells()),
+    StridedIdBlock::ShouldStream(aligned.Ids, vtkIdType(1) << 31),
     "streaming stores are used if supported");
   double sum = 0.0;
   vtkIdType inverted = 0;

@@ -224,7 +224,7 @@ std::vector<std::string> CollectMessages(vtkUnstructuredGrid* grid, Check& check
     { static_cast<vtkAlgorithm*>(intervals.Get()), static_cast<vtkAlgorithm*>(contour.Get()),
       static_cast<vtkAlgorithm*>(pipeline.Filter.Get()) })
   {
-    messages.push_back(MessagesOf(filter));
+    messages.push_back(UpdateAndGetErrors(filter));
     check.Equal(
       vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells(), 0, "cells");
   }
@@ -270,7 +270,7 @@ void CheckWriter(Check& check)
 {
   check.SetContext("writer of slabs");
   const auto folder = std::filesystem::temp_directory_path() / "TestGridCheck";
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   source->SetSteps(RepeatGrid(MakePair<vtkTypeInt64Array>(VTK_LAGRANGE_HEXAHEDRON, 7), { 0, 1 }));
   vtkNew<vtkTimeSlabWriter> writer;
   writer->SetInputConnection(source->GetOutputPort());

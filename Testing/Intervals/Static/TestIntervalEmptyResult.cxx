@@ -145,7 +145,7 @@ void CheckTextBounds(Check& check)
     check.SetContext(std::string("bound ") + word);
     filter->RemoveAllCriteria();
     filter->AddCriterionAsText("p", "0", word);
-    const std::string warnings = MessagesOf(filter);
+    const std::string warnings = UpdateAndGetErrors(filter);
     check.That(
       warnings.find(*word ? std::string("\"") + word + "\"" : "(empty)") != std::string::npos,
       "the error quotes the text: " + warnings);

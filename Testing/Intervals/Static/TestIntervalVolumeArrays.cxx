@@ -246,7 +246,7 @@ void CheckRoles(Check& check)
 /// Tests unnamed scalars and string arrays on regular grids and on meshes.
 void CheckOddArrays(Check& check)
 {
-  for (const LatticeForm& form : FormsOf(MakeInput(1)))
+  for (const DataSetVariant& form : FormsOf(MakeInput(1)))
   {
     vtkPointData* points = form.Data->GetPointData();
     points->Initialize();
@@ -330,7 +330,7 @@ std::vector<vtkSmartPointer<vtkUnstructuredGrid>> ExtractAll(vtkDataSet* data)
 /// of grid.
 void CheckUnnamedArrays(Check& check)
 {
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 3))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, 3))
   {
     check.SetContext("arrays without a name, " + grid.Name);
     vtkPointData* points = grid.Data->GetPointData();
@@ -384,7 +384,7 @@ void CheckShortArrays(Check& check)
       vtkNew<vtkIntervalVolume> filter;
       filter->SetInputData(mesh);
       filter->SetInterval(0, -1.0, 0.75);
-      const std::string message = MessagesOf(filter);
+      const std::string message = UpdateAndGetErrors(filter);
       check.That(message.find(name ? "rray \"short\" has 1 tuple; "
                                    : "array without a name has 1") != std::string::npos &&
           message.find(isOfCells ? "for each cell" : "for each point") != std::string::npos,
@@ -428,7 +428,7 @@ void CheckHugeSteps(Check& check)
     values->InsertNextValue(image->GetPoint(i)[0] > 0.5 ? huge : -huge);
   }
   image->GetPointData()->AddArray(values);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     const auto grid = ExtractIntervals(form.Data, { { 0.25, 0.625 } }).Volume;
     vtkDataArray* found = grid->GetPointData()->GetArray("huge");

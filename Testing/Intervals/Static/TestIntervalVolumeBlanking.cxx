@@ -75,25 +75,25 @@ void CheckGhosts(size_t form, Check& check)
 {
   auto make = [&] { return FormsOf(MakeInput())[form]; };
   {
-    LatticeForm lattice = make();
+    DataSetVariant lattice = make();
     check.SetContext(lattice.Name);
     CheckBlanked(lattice.Data, 0, "nothing", check);
   }
   for (unsigned char flag :
     { vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL })
   {
-    LatticeForm lattice = make();
+    DataSetVariant lattice = make();
     SetGhost(lattice.Data->GetCellData(), NumberOfCells, 21, flag);
     CheckBlanked(lattice.Data, 1, "cell flag", check);
   }
   {
-    LatticeForm lattice = make();
+    DataSetVariant lattice = make();
     SetGhost(lattice.Data->GetPointData(), 125, InnerPoint, vtkDataSetAttributes::HIDDENPOINT);
     CheckBlanked(lattice.Data, 8, "hidden point", check);
   }
   {
     // A duplicate point exists in another process too, but its cells belong to this process.
-    LatticeForm lattice = make();
+    DataSetVariant lattice = make();
     SetGhost(lattice.Data->GetPointData(), 125, InnerPoint, vtkDataSetAttributes::DUPLICATEPOINT);
     CheckBlanked(lattice.Data, 0, "duplicate point", check);
   }
@@ -106,7 +106,7 @@ void CheckNonFinite(size_t form, Check& check)
   {
     auto image = MakeInput();
     vtkDoubleArray::SafeDownCast(image->GetPointData()->GetScalars())->SetValue(InnerPoint, value);
-    const LatticeForm lattice = FormsOf(image)[form];
+    const DataSetVariant lattice = FormsOf(image)[form];
     check.SetContext(lattice.Name + ", " + std::to_string(value));
     CheckLeftOut(lattice.Data, 8, "not finite", check);
     check.Equal(ExtractIntervals(lattice.Data, { { 0, 1 } }).Report->GetCount("NonFiniteCells"), 8,

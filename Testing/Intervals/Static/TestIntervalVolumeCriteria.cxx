@@ -55,7 +55,7 @@ double ExtractedVolume(vtkUnstructuredGrid* mesh, const std::vector<Range>& rang
 void CheckLinear(MeshKind kind, Check& check)
 {
   check.SetContext(GetName(kind) + ", linear");
-  auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 2 }), 5), 5);
+  auto mesh = RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 2 }), 5), 5);
   AddLinearField(mesh, { 0.1, { -0.2, 0.9, 0.4 } }, "g");
   AddLinearField(mesh, { 0.3, { 0.5, 0.1, -0.6 } }, "h");
   AddLinearField(mesh, { 0.3, { 0.8, -0.37, 0.21 } });

@@ -94,7 +94,7 @@ void ExpectError(vtkDataArray* ids, const std::string& part, Check& check)
   for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(volume),
          static_cast<vtkAlgorithm*>(contour), static_cast<vtkAlgorithm*>(pipeline.Filter) })
   {
-    const std::string message = MessagesOf(filter);
+    const std::string message = UpdateAndGetErrors(filter);
     check.That(message.find("global ids") != std::string::npos &&
         message.find("\"numbers\" " + part) != std::string::npos,
       std::string(filter->GetClassName()) + " reports: " + message);

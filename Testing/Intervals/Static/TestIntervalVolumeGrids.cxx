@@ -21,7 +21,7 @@ void CheckForms(vtkImageData* image, const std::vector<Interval>& intervals,
   std::vector<GeometricSimplex> volume;
   std::vector<GeometricSimplex> surface;
   std::vector<GeometricSimplex> contour;
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     check.SetContext(form.Name + ", " + name);
     const Extraction extraction = ExtractIntervals(form.Data, intervals);
@@ -52,8 +52,9 @@ int TestIntervalVolumeGrids(int, char*[])
   shifted->SetExtent(-3, 3, 2, 7, 10, 17);
   auto turned = MakeImage({ 6, 5, 7 });
   turned->SetDirectionMatrix(0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6);
-  const LatticeForm images[] = { { "image", image }, { "shifted", shifted }, { "turned", turned } };
-  for (const LatticeForm& one : images)
+  const DataSetVariant images[] = { { "image", image }, { "shifted", shifted },
+    { "turned", turned } };
+  for (const DataSetVariant& one : images)
   {
     auto* data = vtkImageData::SafeDownCast(one.Data);
     AddRandomField(data, 1);

@@ -104,7 +104,7 @@ void CheckAgainstFresh(Run& retained, vtkDataSet* data, double lower, double upp
 }
 
 template <typename Run>
-void CheckRun(const LatticeForm& form, const char* filterName, Check& check)
+void CheckRun(const DataSetVariant& form, const char* filterName, Check& check)
 {
   check.SetContext(form.Name + ", " + filterName);
   AddSmoothField(form.Data);
@@ -174,7 +174,7 @@ void CheckFlatBlocks(Check& check)
     const double z = image->GetPoint(i)[2] / image->GetBounds()[5];
     field->SetValue(i, z > 0.5 ? 1.0 : 0.5 * z);
   }
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     check.SetContext(form.Name + ", values that equal the upper bound");
     OneIntervalRun retained;
@@ -219,7 +219,7 @@ int TestIntervalVolumeIndex(int, char*[])
   Check check;
   auto image = MakeImage({ 20, 20, 20 });
   AddSmoothField(image);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     CheckRun<IntervalRun>(form, "intervals", check);
     CheckRun<ContourRun>(form, "contours", check);

@@ -46,9 +46,12 @@ bool TestRows()
 bool TestSimplexList()
 {
   constexpr vtkIdType most = (vtkIdType(1) << 31) - 1;
-  bool passed = Expect(interlume::SimplexList::AreIdsNarrow(most, most), "the largest 32-bit ids");
-  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(most + 1, 4), "a point id above 32 bits");
-  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(4, most + 1), "an offset above 32 bits");
+  bool passed =
+    Expect(interlume::SimplexList::CanUse32BitStorage(most, most), "the largest 32-bit ids");
+  passed &=
+    Expect(!interlume::SimplexList::CanUse32BitStorage(most + 1, 4), "a point id above 32 bits");
+  passed &=
+    Expect(!interlume::SimplexList::CanUse32BitStorage(4, most + 1), "an offset above 32 bits");
   for (const vtkIdType points : { vtkIdType(100), vtkIdType(1) << 40 })
   {
     interlume::SimplexList list;

@@ -417,7 +417,8 @@ void CheckMeshes(Check& check)
     {
       for (int values : { 2, 3, 5 })
       {
-        auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 4, 3, 3 }, seed), seed), seed);
+        auto mesh =
+          RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 4, 3, 3 }, seed), seed), seed);
         AddIntegerField(mesh, values, seed);
         for (const std::vector<Interval>& intervals : TiedIntervals())
         {
@@ -456,7 +457,7 @@ void CheckForms(Check& check)
   auto image = MakeImage({ 9, 8, 7 });
   AddLinearField(image, { 0.1, { 0.3, 0.21, 0.4 } }, "h");
   AddIntegerField(image, 3, 4);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     check.SetContext(form.Name);
     for (const std::vector<Interval>& intervals : TiedIntervals())
@@ -481,7 +482,7 @@ void CheckForms(Check& check)
 
 void CheckRealData(Check& check)
 {
-  for (const std::string& name : GetTiedVolumes())
+  for (const std::string& name : GetTiedVolumeFileNames())
   {
     auto image = CropVolume(*interlume::ReadData(name), 20, 0);
     const std::vector<double> values = GetQuantiles(*image);

@@ -115,7 +115,7 @@ int TestIntervalVolumeIntervals(int, char*[])
   for (MeshKind kind : AllMeshKinds())
   {
     check.SetContext(GetName(kind));
-    auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 2 }), 2), 2);
+    auto mesh = RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 2 }), 2), 2);
     AddRandomField(mesh, 11);
     CheckSeparately(mesh, check);
   }

@@ -79,7 +79,8 @@ int TestIntervalVolumeLinear(int, char*[])
     for (unsigned int seed = 1; seed <= 3; ++seed)
     {
       check.SetContext(GetName(kind) + ", seed " + std::to_string(seed));
-      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 2 }, seed), seed), seed);
+      auto mesh =
+        RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 2 }, seed), seed), seed);
       CheckVolumes(mesh, check);
       if (kind != MeshKind::Voxels)
       {

@@ -51,7 +51,8 @@ void CheckKind(MeshKind kind, Check& check)
     {
       check.SetContext(
         GetName(kind) + ", " + std::to_string(values) + " values, seed " + std::to_string(seed));
-      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+      auto mesh =
+        RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
       AddIntegerField(mesh, values, seed + 100, "g");
       AddIntegerField(mesh, values, seed);
       std::vector<double> bounds;
@@ -105,7 +106,7 @@ void CheckCriterion(Check& check)
   check.SetContext("criterion that all values satisfy");
   for (bool isInteger : { false, true })
   {
-    auto mesh = TurnCells(MakeMesh(MeshKind::Hexahedra, { 8, 8, 8 }), 2);
+    auto mesh = RotateCellPointOrder(MakeMesh(MeshKind::Hexahedra, { 8, 8, 8 }), 2);
     isInteger ? AddIntegerField(mesh, 4, 5) : AddRandomField(mesh, 5);
     const double upper = isInteger ? 2 : 0.5;
     vtkNew<vtkIntervalVolume> filter;
@@ -129,7 +130,7 @@ void CheckCriterion(Check& check)
 int TestIntervalVolumeMatching(int, char*[])
 {
   Check check;
-  for (const std::string& file : GetTiedVolumes())
+  for (const std::string& file : GetTiedVolumeFileNames())
   {
     CheckVolume(file, check);
   }

@@ -51,7 +51,7 @@ void AddSmoothField(vtkUnstructuredGrid* mesh)
 /// type of grid.
 void CheckReflection(vtkImageData* image, double expected, const std::string& name, Check& check)
 {
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     check.SetContext(form.Name + ", " + name);
     const TetrahedraVolume volume =

@@ -94,7 +94,7 @@ int TestIntervalVolumeOrigins(int, char*[])
   Check check;
   auto image = MakeImage({ 6, 5, 7 });
   AddRandomField(image, 3);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     check.SetContext(form.Name);
     vtkNew<vtkIntervalVolume> volume;

@@ -58,9 +58,9 @@ void CheckComposite(vtkImageData* image, Check& check)
   volume->SetInterval(0, 0.2, 0.4);
   volume->AddCriterion(image->GetPointData()->GetScalars()->GetName(), 0.25, 0.35);
   ProgressWatch watch;
-  Observe(volume, watch);
+  ObserveProgress(volume, watch);
   volume->Update();
-  CheckGrowth(watch, 10, check);
+  CheckMonotonicProgress(watch, 10, check);
   watch = ProgressWatch();
   watch.AbortAt = 0.1;
   volume->Modified();

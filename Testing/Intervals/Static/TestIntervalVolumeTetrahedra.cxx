@@ -38,7 +38,7 @@ int TestIntervalVolumeTetrahedra(int, char*[])
       auto mesh = MakeMesh(kind, { 4, 4, 4 });
       if (seed > 1)
       {
-        mesh = MapProjectively(RenumberPoints(TurnCells(mesh, seed), seed), seed);
+        mesh = MapProjectively(RenumberPoints(RotateCellPointOrder(mesh, seed), seed), seed);
       }
       check.SetContext(GetName(kind) + ", seed " + std::to_string(seed));
       AddRandomField(mesh, seed);

@@ -15,7 +15,7 @@ namespace
 
 using namespace reference;
 
-void CheckForm(const LatticeForm& form, Check& check)
+void CheckForm(const DataSetVariant& form, Check& check)
 {
   CheckThreads(
     form.Name,
@@ -35,7 +35,7 @@ int TestIntervalVolumeThreads(int, char*[])
   Check check;
   auto image = MakeImage({ 24, 20, 16 });
   AddRandomField(image, 5);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     CheckForm(form, check);
   }

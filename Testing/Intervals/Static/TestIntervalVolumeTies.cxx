@@ -38,7 +38,7 @@ void CheckSidesOfZeroWidth(Check& check)
       const double step = field->GetValue(i) == 0.0 ? 0.0 : field->GetValue(i) == 3.0 ? 2.0 : 1.0;
       field->SetValue(i, isRising ? step : 2.0 - step);
     }
-    for (const LatticeForm& form : FormsOf(image))
+    for (const DataSetVariant& form : FormsOf(image))
     {
       check.SetContext(form.Name + (isRising ? ", rising" : ", falling"));
       // An interval that ends at 1 contains the constant cell of value 1, and so does the interval
@@ -130,7 +130,8 @@ int TestIntervalVolumeTies(int, char*[])
       {
         check.SetContext(GetName(kind) + ", " + std::to_string(values.Number) + " values, bound " +
           std::to_string(values.Bounds[1]) + ", seed " + std::to_string(seed));
-        auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+        auto mesh =
+          RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
         if (kind != MeshKind::Voxels && seed > 1)
         {
           mesh = MapProjectively(mesh, seed);

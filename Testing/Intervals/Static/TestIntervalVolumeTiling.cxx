@@ -25,11 +25,11 @@ int TestIntervalVolumeTiling(int, char*[])
     {
       auto mesh = MakeMesh(kind, { 3, 3, 3 }, seed);
       tile(mesh, seed, "original");
-      tile(TurnCells(mesh, seed), seed, "turned");
+      tile(RotateCellPointOrder(mesh, seed), seed, "turned");
       tile(RenumberPoints(mesh, seed), seed, "renumbered");
       if (kind != MeshKind::Voxels)
       {
-        tile(MapProjectively(RenumberPoints(TurnCells(mesh, seed), seed), seed), seed,
+        tile(MapProjectively(RenumberPoints(RotateCellPointOrder(mesh, seed), seed), seed), seed,
           "rotated, renumbered and mapped");
       }
     }

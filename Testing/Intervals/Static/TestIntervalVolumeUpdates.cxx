@@ -231,7 +231,7 @@ private:
   {
     ProgressWatch watch;
     watch.AbortAt = 0.1 * this->Roll(9);
-    const unsigned long tag = Observe(this->Reusing, watch);
+    const unsigned long tag = ObserveProgress(this->Reusing, watch);
     this->Reusing->Modified();
     this->Reusing->Update();
     this->Reusing->RemoveObserver(tag);
@@ -284,7 +284,7 @@ private:
   double Upper = 180;
 };
 
-void CheckSequence(const LatticeForm& form, unsigned int seed, Check& check)
+void CheckSequence(const DataSetVariant& form, unsigned int seed, Check& check)
 {
   AddBytes(form.Data, seed);
   AddNumbers(form.Data, seed);
@@ -390,7 +390,7 @@ int TestIntervalVolumeUpdates(int, char*[])
   Check check;
   unsigned int seed = 1;
   auto image = MakeImage({ Cells, Cells, Cells });
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     CheckSequence(form, seed++, check);
   }

@@ -101,7 +101,8 @@ int TestIsotableContourIntervals(int, char*[])
     for (unsigned int seed = 1; seed <= 3; ++seed)
     {
       check.SetContext(GetName(kind) + ", seed " + std::to_string(seed));
-      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+      auto mesh =
+        RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
       AddRandomField(mesh, seed);
       CheckMesh(mesh, 0.35, 0.7, false, check);
       AddIntegerField(mesh, 4, seed);

@@ -41,7 +41,8 @@ void CheckKind(MeshKind kind, Check& check)
     {
       check.SetContext(
         GetName(kind) + ", " + std::to_string(values) + " values, seed " + std::to_string(seed));
-      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+      auto mesh =
+        RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
       AddIntegerField(mesh, values, seed);
       for (int value = 1; value < values; ++value)
       {
@@ -71,7 +72,7 @@ void CheckPlateau(Check& check)
 int TestIsotableContourMatching(int, char*[])
 {
   Check check;
-  for (const std::string& file : GetTiedVolumes())
+  for (const std::string& file : GetTiedVolumeFileNames())
   {
     CheckVolume(file, check);
   }

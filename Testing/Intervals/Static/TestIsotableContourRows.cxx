@@ -161,7 +161,7 @@ void CheckGrids(Check& check)
   {
     auto image = MakeImage({ 37, 9, 8 });
     SetScalars(image, type, 4.0, 7);
-    for (const LatticeForm& form : FormsOf(image))
+    for (const DataSetVariant& form : FormsOf(image))
     {
       if (!vtkUnstructuredGrid::SafeDownCast(form.Data))
       {
@@ -289,7 +289,7 @@ void CheckIndices(Check& check)
     const std::string text = ", index, type " + std::to_string(type);
     auto image = MakeImage({ 37, 22, 50 });
     SetGrowing(image, type);
-    for (const LatticeForm& form : FormsOf(image))
+    for (const DataSetVariant& form : FormsOf(image))
     {
       if (!vtkUnstructuredGrid::SafeDownCast(form.Data))
       {

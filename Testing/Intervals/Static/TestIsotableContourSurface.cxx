@@ -56,7 +56,7 @@ void CheckRandom(MeshKind kind, Check& check)
   for (unsigned int seed = 1; seed <= 3; ++seed)
   {
     check.SetContext(GetName(kind) + ", seed " + std::to_string(seed));
-    auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
+    auto mesh = RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 3 }, seed), seed), seed);
     AddRandomField(mesh, seed);
     const double value = 0.25 * seed;
     const ContourExtraction contour = ExtractContours(mesh, { value });
@@ -90,7 +90,7 @@ void FindNormal(
 void CheckPlane(MeshKind kind, Check& check)
 {
   check.SetContext(GetName(kind) + ", plane");
-  auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 3, 3, 2 }), 3), 3);
+  auto mesh = RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 3, 3, 2 }), 3), 3);
   const LinearFunction function = { 0.1, { 0.6, 0.35, -0.5 } };
   AddLinearField(mesh, function);
   const double value = 1.003;

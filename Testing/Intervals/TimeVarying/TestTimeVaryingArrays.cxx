@@ -179,7 +179,7 @@ void CheckNames(const TimeVaryingExtraction& found, Check& check)
 
 void CheckTypes(Check& check)
 {
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 3, 2, 2 }, 2))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 3, 2, 2 }, 2))
   {
     for (int components : { 1, 3 })
     {
@@ -226,7 +226,7 @@ void CheckTypes(Check& check)
 void CheckScalars(Check& check)
 {
   check.SetContext("another array as the scalar");
-  const TimeSteps steps = RepeatGrid(AllSpaceTimeGrids({ 2, 2, 2 }, 3).front().Data, { 0, 1 });
+  const TimeSteps steps = RepeatGrid(MakeAllGridTypes({ 2, 2, 2 }, 3).front().Data, { 0, 1 });
   AddRandomTimeField(steps, 1, "g");
   AddRandomTimeField(steps, 2, "f");
   const TimeVaryingPipeline pipeline(steps, { { { 0.25, 0.75 } } });
@@ -247,7 +247,7 @@ void CheckScalars(Check& check)
 void CheckOtherArrays(Check& check)
 {
   check.SetContext("arrays at some steps");
-  const TimeSteps steps = RepeatGrid(AllSpaceTimeGrids({ 2, 2, 2 }, 3).front().Data, { 0, 1, 2 });
+  const TimeSteps steps = RepeatGrid(MakeAllGridTypes({ 2, 2, 2 }, 3).front().Data, { 0, 1, 2 });
   AddRandomTimeField({ steps[0], steps[1] }, 4, "early");
   AddRandomTimeField({ steps[2] }, 4, "late");
   AddSpaceTimeField(
@@ -332,7 +332,7 @@ void AddMixedArrays(const TimeSteps& steps)
 void CheckUnnamedArrays(Check& check)
 {
   const char* const names[] = { "a", "f", "b", "places" };
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 3))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, 3))
   {
     check.SetContext("arrays without a name, " + grid.Name);
     const TimeSteps steps = RepeatGrid(grid.Data, { 0, 1, 2 });
@@ -390,7 +390,7 @@ void CheckUnnamedArrays(Check& check)
 void CheckUnnamedLeftOut(Check& check)
 {
   check.SetContext("an unnamed array at some steps");
-  const TimeSteps steps = RepeatGrid(AllSpaceTimeGrids({ 2, 2, 2 }, 3).front().Data, { 0, 1, 2 });
+  const TimeSteps steps = RepeatGrid(MakeAllGridTypes({ 2, 2, 2 }, 3).front().Data, { 0, 1, 2 });
   AddMixedArrays(steps);
   for (const TimeStep& step : steps)
   {
@@ -430,7 +430,7 @@ void SetPointsType(const TimeSteps& steps, int type)
   }
 }
 
-void CheckPrecision(const SpaceTimeGrid& grid, int type, Check& check)
+void CheckPrecision(const NamedGrid& grid, int type, Check& check)
 {
   const TimeSteps steps = RepeatGrid(grid.Data, { 0, 1 });
   const bool hasPoints = vtkPointSet::SafeDownCast(grid.Data) != nullptr;
@@ -457,7 +457,7 @@ void CheckPrecision(const SpaceTimeGrid& grid, int type, Check& check)
         "type of the points of port " + std::to_string(port));
     }
     auto* simplices = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(2));
-    check.Near(static_cast<double>(MeasureWeighted(filter->GetOutput()).Sum),
+    check.Near(static_cast<double>(MeasureWeightedTetrahedra(filter->GetOutput()).Sum),
       static_cast<double>(MeasureSimplices(simplices).Sum), expected == VTK_FLOAT ? 1e-5 : 1e-12,
       "hypervolume");
   }
@@ -473,7 +473,7 @@ int TestTimeVaryingArrays(int, char*[])
   CheckOtherArrays(check);
   CheckUnnamedArrays(check);
   CheckUnnamedLeftOut(check);
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 3))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, 3))
   {
     CheckPrecision(grid, VTK_FLOAT, check);
     CheckPrecision(grid, VTK_DOUBLE, check);

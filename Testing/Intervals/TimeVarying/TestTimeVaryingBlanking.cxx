@@ -29,7 +29,7 @@ constexpr int NumberOfCells = 4 * 4 * 4;
 constexpr vtkIdType InnerPoint = 2 + 5 * (2 + 5 * 2);
 const std::vector<double> Times = { 0, 1, 3 };
 
-TimeSteps MakeSteps(const LatticeForm& form)
+TimeSteps MakeSteps(const DataSetVariant& form)
 {
   TimeSteps steps = RepeatGrid(form.Data, Times);
   AddRandomTimeField(steps, 3);
@@ -51,7 +51,7 @@ void CheckSkipped(const TimeSteps& steps, const std::array<int, 2>& skipped, con
     check.Near(static_cast<double>(MeasureSimplices(found.Simplices, Any, slab).Sum), here, 1e-12,
       what + ": 4-simplices of slab " + std::to_string(slab));
   }
-  check.Near(static_cast<double>(MeasureWeighted(found.Tetrahedra).Sum), expected, 1e-12,
+  check.Near(static_cast<double>(MeasureWeightedTetrahedra(found.Tetrahedra).Sum), expected, 1e-12,
     what + ": tetrahedra");
   check.Equal(found.Report->GetCount("Cells"), 2 * NumberOfCells, what + ": cells of all slabs");
   check.Equal(found.Report->GetCount(count), skipped[0] + skipped[1], what + ": cells skipped");
@@ -71,7 +71,7 @@ void SetGhost(const TimeSteps& steps, bool points, vtkIdType at, unsigned char f
   }
 }
 
-void CheckForm(const LatticeForm& form, Check& check)
+void CheckForm(const DataSetVariant& form, Check& check)
 {
   check.SetContext(form.Name);
   const char* const blanked = "BlankedCells";
@@ -115,7 +115,7 @@ void CheckForm(const LatticeForm& form, Check& check)
 int TestTimeVaryingBlanking(int, char*[])
 {
   Check check;
-  for (const LatticeForm& form : FormsOf(MakeImage({ 4, 4, 4 })))
+  for (const DataSetVariant& form : FormsOf(MakeImage({ 4, 4, 4 })))
   {
     CheckForm(form, check);
   }

@@ -147,7 +147,7 @@ void CheckKinds(const TimeSteps& steps, const TimeVaryingExtraction& all, Check&
   {
     TimeVaryingSettings settings = { Intervals };
     settings.Boundaries = settings.Tetrahedra = settings.Simplices = false;
-    vtkNew<TemporalGrids> source;
+    vtkNew<TimeStepSource> source;
     source->SetSteps(steps);
     vtkNew<Filter> filter;
     filter->SetInputConnection(source->GetOutputPort());
@@ -192,7 +192,7 @@ void CheckKinds(const TimeSteps& steps, const TimeVaryingExtraction& all, Check&
 int TestTimeVaryingBoundaries(int, char*[])
 {
   Check check;
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 3, 2, 2 }, 4))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 3, 2, 2 }, 4))
   {
     TimeSteps steps = RepeatGrid(grid.Data, { 1, 1.5, 4 });
     AddRandomTimeField(steps, 6);

@@ -82,13 +82,13 @@ void CheckTree(const Tree& tree, Check& check)
   }
   auto* first = vtkDataObjectTree::SafeDownCast(steps.front().Data);
   check.SetContext(first->GetClassName());
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   source->SetSteps(steps);
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   Apply(Settings, filter);
   filter->Update();
-  check.That(source->GetMaximumAlive() <= 2, "at most two steps exist at a time");
+  check.That(source->GetMaximumStepsInMemory() <= 2, "at most two steps exist at a time");
   vtkDataObjectTree* outputs[3];
   for (int port = 0; port < 3; ++port)
   {
@@ -153,7 +153,7 @@ void CheckChange(Check& check)
     trees.push_back(
       { Times[i], MakeMultiBlock([&](int leaf) { return GetDataSet(leaves[leaf][i]); }) });
   }
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   Apply(Settings, filter);

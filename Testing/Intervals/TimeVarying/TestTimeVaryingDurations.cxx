@@ -73,7 +73,7 @@ double LinearDuration(const std::array<double, 3>& x, const Interval& interval)
 int TestTimeVaryingDurations(int, char*[])
 {
   Check check;
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 2))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, 2))
   {
     const TimeSteps steps = RepeatGrid(grid.Data, Times);
     AddSpaceTimeField(steps, [](const std::array<double, 3>&, double, vtkIdType) { return 0.5; });

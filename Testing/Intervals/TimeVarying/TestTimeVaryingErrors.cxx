@@ -75,12 +75,12 @@ std::vector<ErrorCase> StepCases()
     { "a time that is NaN", MakeMixed({ 0, 1, NaN, 3 }), { "step 2", "nan" } },
     { "a time that is infinite", MakeMixed({ 0, 1, 2, Infinity }), { "step 3", "inf" } },
     { "more cells", With(boxes, MakeMesh(MeshKind::Hexahedra, { 3, 2, 2 })), { "step 2" } },
-    { "other cells on the same points", With(boxes, TurnCells(boxes, 3)), { "step 2" } },
+    { "other cells on the same points", With(boxes, RotateCellPointOrder(boxes, 3)), { "step 2" } },
     { "cells of another type", With(boxes, MakeMesh(MeshKind::Voxels, { 2, 2, 2 })), { "step 2" } },
     { "points with other numbers", With(mixed, RenumberPoints(mixed, 3)), { "step 2" } },
     { "polyhedra with other faces",
       With(MakeMesh(MeshKind::Boxes, { 2, 2, 2 }),
-        TurnCells(MakeMesh(MeshKind::Boxes, { 2, 2, 2 }), 5)),
+        RotateCellPointOrder(MakeMesh(MeshKind::Boxes, { 2, 2, 2 }), 5)),
       { "step 2" } },
     { "another type of grid", With(image, boxes), { "step 2" } },
     { "an image of other dimensions", With(image, MakeImage({ 3, 4, 3 })), { "step 2" } },
@@ -150,15 +150,15 @@ std::vector<ErrorCase> SettingCases()
 void CheckCase(const ErrorCase& one, Check& check)
 {
   check.SetContext(one.Name);
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   source->SetSteps(one.Steps);
-  source->SetReportsTimes(one.HasTimes);
+  source->SetReportTimeSteps(one.HasTimes);
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   const TimeVaryingSettings settings = { { { 0.25, 0.75 } } };
   Apply(settings, filter);
   one.Break(filter);
-  const std::string messages = MessagesOf(filter);
+  const std::string messages = UpdateAndGetErrors(filter);
   check.That(!messages.empty(), "there is an error");
   for (const std::string& part : one.Named)
   {
@@ -172,10 +172,10 @@ void CheckCase(const ErrorCase& one, Check& check)
     check.That(IsEmpty(filter->GetOutputDataObject(port)), "the output is empty");
   }
   source->SetSteps(MakeMixed());
-  source->SetReportsTimes(true);
+  source->SetReportTimeSteps(true);
   Apply(settings, filter);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "f");
-  const std::string later = MessagesOf(filter);
+  const std::string later = UpdateAndGetErrors(filter);
   check.That(later.empty(), "no error after the correction: " + later);
   for (int port = 0; port < 3; ++port)
   {
@@ -187,7 +187,7 @@ void CheckCase(const ErrorCase& one, Check& check)
 /// An empty result is not an error, but a warning states the reason.
 void CheckNothing(Check& check)
 {
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   for (const TimeVaryingSettings& settings :
@@ -230,12 +230,12 @@ void CheckBlocks(Check& check)
     tree->SetBlock(1, step.Time == 2 ? nullptr : step.Data.Get());
     steps.push_back({ step.Time, tree });
   }
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   source->SetSteps(steps);
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   Apply({ { { 0.25, 0.75 } } }, filter);
-  const std::string messages = MessagesOf(filter);
+  const std::string messages = UpdateAndGetErrors(filter);
   check.That(messages.find("step 2") != std::string::npos, "the error names the step: " + messages);
 }
 

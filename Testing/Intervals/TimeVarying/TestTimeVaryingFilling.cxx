@@ -14,7 +14,7 @@ int TestTimeVaryingFilling(int, char*[])
   const std::vector<double> times = { -0.5, 0.25, 0.3, 2 };
   for (unsigned int seed = 1; seed <= 2; ++seed)
   {
-    for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, seed))
+    for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, seed))
     {
       FillingCounts counts;
       const auto fill = [&](const TimeSteps& steps, const std::string& how)
@@ -27,7 +27,7 @@ int TestTimeVaryingFilling(int, char*[])
       if (vtkPointSet::SafeDownCast(grid.Data) && HasBoxDomain(grid.Data))
       {
         const TimeSteps moving = RepeatGrid(grid.Data, times);
-        MoveInside(moving, 0.02 * grid.Data->GetLength(), seed);
+        PerturbInteriorPoints(moving, 0.02 * grid.Data->GetLength(), seed);
         fill(moving, "interior points moving");
         MovePoints(moving, Stretch);
         fill(moving, "stretched, and interior points moving");

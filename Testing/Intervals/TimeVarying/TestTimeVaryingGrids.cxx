@@ -34,7 +34,7 @@ Sets SetsOf(const TimeVaryingExtraction& found)
 void CheckForms(const std::vector<Interval>& intervals, bool integers, Check& check)
 {
   Sets expected;
-  for (const LatticeForm& form : FormsOf(MakeImage({ 4, 3, 3 })))
+  for (const DataSetVariant& form : FormsOf(MakeImage({ 4, 3, 3 })))
   {
     check.SetContext(form.Name + (integers ? ", integer values" : ", random values"));
     const TimeSteps steps = RepeatGrid(form.Data, { 0, 0.7, 1.9 });

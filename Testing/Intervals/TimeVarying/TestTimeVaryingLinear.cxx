@@ -60,7 +60,7 @@ void CheckHypervolumes(const TimeSteps& steps, double& worst, Check& check)
     for (int i = 0; i < static_cast<int>(expected.size()); ++i)
     {
       const HypervolumeSum simplices = MeasureSimplices(found.Simplices, i);
-      const HypervolumeSum weighted = MeasureWeighted(found.Tetrahedra, i);
+      const HypervolumeSum weighted = MeasureWeightedTetrahedra(found.Tetrahedra, i);
       const std::string name = ", direction " + std::to_string(&direction - Directions.data()) +
         ", interval " + std::to_string(i);
       check.Near(
@@ -80,7 +80,7 @@ int TestTimeVaryingLinear(int, char*[])
   Check check;
   const auto linear = [](const std::array<double, 3>& x, double time, vtkIdType)
   { return 0.3 + 0.7 * x[0] - 0.4 * x[1] + 0.9 * x[2] + 0.8 * time; };
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 3, 2 }, 3))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 2, 3, 2 }, 3))
   {
     double worst = 0;
     check.SetContext(grid.Name + ", static");
@@ -97,7 +97,7 @@ int TestTimeVaryingLinear(int, char*[])
     {
       check.SetContext(grid.Name + ", moving");
       const TimeSteps moving = RepeatGrid(grid.Data, Times);
-      MoveInside(moving, 0.02 * grid.Data->GetLength(), 5);
+      PerturbInteriorPoints(moving, 0.02 * grid.Data->GetLength(), 5);
       MovePoints(moving, Stretch);
       AddSpaceTimeField(moving, linear);
       CheckHypervolumes(moving, worst, check);

@@ -40,7 +40,7 @@ void CheckVolume(const std::string& file, Check& check)
   CheckMatchingInTime(steps, closed, check);
 }
 
-void CheckGrid(const SpaceTimeGrid& grid, Check& check)
+void CheckGrid(const NamedGrid& grid, Check& check)
 {
   for (int values : { 2, 3, 5 })
   {
@@ -67,11 +67,11 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
 int TestTimeVaryingMatching(int, char*[])
 {
   Check check;
-  for (const std::string& file : GetTiedVolumes())
+  for (const std::string& file : GetTiedVolumeFileNames())
   {
     CheckVolume(file, check);
   }
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 3))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, 3))
   {
     CheckGrid(grid, check);
   }

@@ -24,17 +24,17 @@ void CheckData(vtkDataSet* data, Check& check)
 {
   const TimeSteps steps = RepeatGrid(data, { 0, 1, 2, 3, 4 });
   AddRandomTimeField(steps, 2);
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   source->SetSteps(steps);
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   Apply({ { { 0.2, 0.4 } } }, filter);
   ProgressWatch watch;
-  Observe(filter, watch);
+  ObserveProgress(filter, watch);
   filter->Update();
   const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
   check.That(cells > 0, "the output is not empty");
-  CheckGrowth(watch, steps.size(), check);
+  CheckMonotonicProgress(watch, steps.size(), check);
   check.That(std::any_of(watch.Progress.begin(), watch.Progress.end(),
                [](double at) { return at > 0.2 && at < 0.8; }),
     "intermediate progress is reported");

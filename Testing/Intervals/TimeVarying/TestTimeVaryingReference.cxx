@@ -105,7 +105,7 @@ void CheckHypervolumes(Check& check)
   { return 2 * (1 + 0.31 * t) * 3 * (1 - 0.13 * t) * 2 * (1 + 0.07 * t); };
   check.SetContext("moving");
   const TimeSteps moving = RepeatGrid(MakeMesh(MeshKind::Mixed, { 2, 3, 2 }), { 0, 1, 2 });
-  MoveInside(moving, 0.1, 4);
+  PerturbInteriorPoints(moving, 0.1, 4);
   MovePoints(moving, Stretch);
   check.Near(Near(DomainHypervolume(moving)), (volume(0) + 4 * volume(1) + volume(2)) / 3, 1e-14,
     "stretched domain");
@@ -149,7 +149,7 @@ void CheckSource(Check& check)
   const TimeSteps steps = RepeatGrid(MakeMesh(MeshKind::Mixed, { 1, 1, 1 }), { 0.5, 1.5, 2.5 });
   AddSpaceTimeField(
     steps, [](const std::array<double, 3>&, double time, vtkIdType) { return 10 * time; });
-  vtkNew<TemporalGrids> source;
+  vtkNew<TimeStepSource> source;
   source->SetSteps(steps);
   vtkSmartPointer<vtkDataArray> retained;
   for (double time : { 1.5, 2.5, 0.5 })
@@ -169,7 +169,7 @@ void CheckSource(Check& check)
   }
   check.That(
     source->GetRequests() == std::vector<int>({ 1, 2, 0 }), "steps in the requested order");
-  check.Equal(source->GetMaximumAlive(), 2, "number of existing steps while one is held");
+  check.Equal(source->GetMaximumStepsInMemory(), 2, "number of existing steps while one is held");
 }
 
 }

@@ -103,7 +103,7 @@ double Linear(const std::array<double, 3>& x, double time, vtkIdType)
   return 0.3 + 0.7 * x[0] - 0.4 * x[1] + 0.9 * x[2] + 0.8 * time;
 }
 
-void CheckGrid(const SpaceTimeGrid& grid, Check& check)
+void CheckGrid(const NamedGrid& grid, Check& check)
 {
   const bool canMove = vtkPointSet::SafeDownCast(grid.Data) && HasBoxDomain(grid.Data);
   check.SetContext(grid.Name + ", at steps");
@@ -218,7 +218,7 @@ void CheckOrder(Check& check)
 int TestTimeVaryingSlice(int, char*[])
 {
   Check check;
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 3, 2, 2 }, 4))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 3, 2, 2 }, 4))
   {
     CheckGrid(grid, check);
   }

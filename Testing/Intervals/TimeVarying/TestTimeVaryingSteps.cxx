@@ -64,7 +64,7 @@ std::set<GeometricSimplex> RemoveAtSteps(std::vector<GeometricSimplex>& set)
   return atSteps;
 }
 
-void CheckSlabs(const SpaceTimeGrid& grid, bool integers, Check& check)
+void CheckSlabs(const NamedGrid& grid, bool integers, Check& check)
 {
   const TimeSteps steps = RepeatGrid(grid.Data, Times);
   integers ? AddIntegerTimeField(steps, 3, 8) : AddRandomTimeField(steps, 8);
@@ -149,8 +149,9 @@ void CheckRequests(Check& check)
   std::vector<int> expected(Times.size());
   std::iota(expected.begin(), expected.end(), 0);
   check.That(pipeline.Source->GetRequests() == expected, "every step is requested once, in order");
-  check.That(pipeline.Source->GetMaximumAlive() <= 2,
-    "at most two steps exist at a time: " + std::to_string(pipeline.Source->GetMaximumAlive()));
+  check.That(pipeline.Source->GetMaximumStepsInMemory() <= 2,
+    "at most two steps exist at a time: " +
+      std::to_string(pipeline.Source->GetMaximumStepsInMemory()));
   const vtkIdType cells = pipeline.GetSimplices()->GetNumberOfCells();
   check.That(cells > 0, "the output is not empty");
 
@@ -277,7 +278,7 @@ void CheckOutputsOnRequest(Check& check)
 int TestTimeVaryingSteps(int, char*[])
 {
   Check check;
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, 5))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, 5))
   {
     for (bool integers : { false, true })
     {

@@ -150,7 +150,7 @@ int TestTimeVaryingTetrahedra(int, char*[])
   const std::array<double, 4> across = { 1, 1, 1, 1 };
   for (const std::array<int, 3>& cells : { std::array<int, 3>{ 1, 1, 1 }, { 2, 2, 2 } })
   {
-    for (const SpaceTimeGrid& grid : AllSpaceTimeGrids(cells, 7))
+    for (const NamedGrid& grid : MakeAllGridTypes(cells, 7))
     {
       const std::string name = grid.Name + ", " + std::to_string(cells[0]) + " cells per axis";
       check.SetContext(name + ", along time");
@@ -171,7 +171,7 @@ int TestTimeVaryingTetrahedra(int, char*[])
       if (cells[0] > 1 && vtkPointSet::SafeDownCast(grid.Data) && HasBoxDomain(grid.Data))
       {
         const TimeSteps moving = RepeatGrid(grid.Data, { 0.5, 2 });
-        MoveInside(moving, 0.02 * grid.Data->GetLength(), 5);
+        PerturbInteriorPoints(moving, 0.02 * grid.Data->GetLength(), 5);
         MovePoints(moving, Stretch);
         check.SetContext(name + ", moving");
         Counts moved = CheckSteps(moving, alongTime, check);

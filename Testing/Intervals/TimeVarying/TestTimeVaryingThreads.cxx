@@ -11,7 +11,7 @@ int TestTimeVaryingThreads(int, char*[])
 {
   using namespace reference;
   Check check;
-  for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 3, 4, 3 }, 2))
+  for (const NamedGrid& grid : MakeAllGridTypes({ 3, 4, 3 }, 2))
   {
     const TimeSteps steps = RepeatGrid(grid.Data, { 0, 0.7, 1.9 });
     AddRandomTimeField(steps, 6, "g");

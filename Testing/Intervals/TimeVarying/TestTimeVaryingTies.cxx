@@ -35,7 +35,10 @@ void CheckConstant(Check& check)
       check.SetContext(GetName(kind) + ", constant and equal to " + one.Name);
       const TimeVaryingExtraction found = ExtractTimeVarying(steps, { one.Intervals });
       const auto in = [&](int interval)
-      { return static_cast<double>(MeasureWeighted(found.Tetrahedra, interval).SumOfAbsolute); };
+      {
+        return static_cast<double>(
+          MeasureWeightedTetrahedra(found.Tetrahedra, interval).SumOfAbsolute);
+      };
       check.Near(in(one.Holder), 24, 1e-12, "hypervolume of the interval that contains the value");
       check.Near(in(Any), 24, 1e-12, "hypervolume of all intervals");
       check.Near(static_cast<double>(MeasureSimplices(found.Simplices).Sum), 24, 1e-12,
@@ -51,7 +54,7 @@ int TestTimeVaryingTies(int, char*[])
   Check check;
   for (unsigned int seed = 1; seed <= 3; ++seed)
   {
-    for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 2, 2 }, seed))
+    for (const NamedGrid& grid : MakeAllGridTypes({ 2, 2, 2 }, seed))
     {
       FillingCounts counts;
       const TimeSteps steps = RepeatGrid(grid.Data, { 0, 1, 2.5 });

@@ -191,7 +191,7 @@ void CheckGrids(Check& check)
 {
   auto image = MakeImage({ 9, 8, 7 });
   AddRandomField(image, 5);
-  for (const LatticeForm& form : FormsOf(image))
+  for (const DataSetVariant& form : FormsOf(image))
   {
     check.SetContext(form.Name);
     AddArrays(form.Data, 3);
@@ -207,7 +207,8 @@ void CheckCells(Check& check)
   {
     for (unsigned int seed = 1; seed <= 5; ++seed)
     {
-      auto mesh = RenumberPoints(TurnCells(MakeMesh(kind, { 4, 4, 4 }, seed), seed), seed);
+      auto mesh =
+        RenumberPoints(RotateCellPointOrder(MakeMesh(kind, { 4, 4, 4 }, seed), seed), seed);
       AddArrays(mesh, seed);
       check.SetContext(GetName(kind) + ", seed " + std::to_string(seed));
       AddRandomField(mesh, seed);

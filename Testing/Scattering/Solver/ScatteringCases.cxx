@@ -60,7 +60,7 @@ ScatteringLight MakeLight(const ScatteringMedium& medium, const glm::dvec3& dire
   return light;
 }
 
-ScatteringLight MakeLightAt(const ScatteringMedium& medium, const glm::dvec3& position)
+ScatteringLight MakeScatteringPointLight(const ScatteringMedium& medium, const glm::dvec3& position)
 {
   ScatteringLight light;
   light.IsPositional = true;

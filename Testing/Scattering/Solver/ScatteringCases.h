@@ -16,7 +16,7 @@ interlume::ScatteringMedium MakeCloud(int cells, double depth, const glm::vec3& 
 /// Returns a directional light, with the direct light in the cells of \a medium.
 interlume::ScatteringLight MakeLight(
   const interlume::ScatteringMedium& medium, const glm::dvec3& direction);
-interlume::ScatteringLight MakeLightAt(
+interlume::ScatteringLight MakeScatteringPointLight(
   const interlume::ScatteringMedium& medium, const glm::dvec3& position);
 
 /// Result of the solver. On an error, the message is printed and the field is empty.

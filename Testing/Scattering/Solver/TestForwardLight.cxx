@@ -152,7 +152,7 @@ void CheckOblique(Check& check)
 void CheckLocations(Check& check)
 {
   const ScatteringMedium medium = MakeCloud(20, 6.0, glm::vec3(1.0f), 0.7);
-  const ScatteringLight far = MakeLightAt(medium, glm::dvec3(0.5, 0.5, -1000.0));
+  const ScatteringLight far = MakeScatteringPointLight(medium, glm::dvec3(0.5, 0.5, -1000.0));
   const ScatteringLight along = MakeLight(medium, glm::dvec3(0.0, 0.0, 1.0));
   ScatteringSettings settings;
   settings.AngleVariance = Variance;
@@ -169,8 +169,8 @@ void CheckLocations(Check& check)
   check.Near(difference / sum, 0.0, 0.05, "a far point light", 1.0);
 
   const ScatteringMedium homogeneous = MakeMedium(glm::ivec3(15), 4.0, glm::vec3(1.0f), 0.7);
-  const Solved inside =
-    Solve(homogeneous, { MakeLightAt(homogeneous, glm::dvec3(0.5)) }, ScatteringMode::Forward);
+  const Solved inside = Solve(homogeneous,
+    { MakeScatteringPointLight(homogeneous, glm::dvec3(0.5)) }, ScatteringMode::Forward);
   const std::vector<glm::vec3>& forward = inside.Field.Forward[0];
   const auto at = [&](int x, int y, int z) { return forward[homogeneous.GetIndex({ x, y, z })].x; };
   check.That(at(7, 7, 12) > 0.1f, "a light inside is forward-scattered");

@@ -62,7 +62,7 @@ void CheckRandom(Check& check)
     if (random.Get(0.0, 1.0) < 0.4)
     {
       const std::array<double, 3> position = random.GetPoint(8.0);
-      lights.push_back(MakeLightAt(medium, glm::make_vec3(position.data())));
+      lights.push_back(MakeScatteringPointLight(medium, glm::make_vec3(position.data())));
     }
     ScatteringSettings settings;
     settings.BackwardLayers = random.Get(0.0, 1.0) < 0.3 ? 3 : 0;
@@ -185,7 +185,7 @@ void CheckThreads(Check& check)
 {
   const ScatteringMedium medium = MakeCloud(28, 20.0, { 0.99f, 0.95f, 0.9f }, 0.8);
   const std::vector<ScatteringLight> lights = { MakeLight(medium, { 1.0, 2.0, 2.0 }),
-    MakeLightAt(medium, { 0.3, 0.4, 0.5 }) };
+    MakeScatteringPointLight(medium, { 0.3, 0.4, 0.5 }) };
   const std::string backend = vtkSMPTools::GetBackend();
   check.That(vtkSMPTools::SetBackend("STDThread"), "the threading backend exists");
   for (const ScatteringMode mode : { ScatteringMode::Forward, ScatteringMode::Full })

@@ -239,10 +239,11 @@ void TestLights(SolverTable& table)
 {
   const ScatteringMedium medium = MakeCloud(Size, 20.0, glm::vec3(1.0f, 0.9f, 0.8f), 0.8);
   table.Energy("light-inside", "a light inside the medium", medium,
-    { MakeLightAt(medium, { 0.5, 0.5, 0.5 }) });
+    { MakeScatteringPointLight(medium, { 0.5, 0.5, 0.5 }) });
   table.Energy("light-in-middle-of-cell", "a light at the center of a cell", medium,
-    { MakeLightAt(medium, glm::dvec3(7.5 / Size)) });
-  table.Energy("light-far", "a light 1e9 away", medium, { MakeLightAt(medium, { 1e9, 0.5, 0.5 }) });
+    { MakeScatteringPointLight(medium, glm::dvec3(7.5 / Size)) });
+  table.Energy("light-far", "a light 1e9 away", medium,
+    { MakeScatteringPointLight(medium, { 1e9, 0.5, 0.5 }) });
   table.Energy("opposite-lights", "two opposite lights", medium,
     { MakeLight(medium, { 0.0, 0.0, 1.0 }), MakeLight(medium, { 0.0, 0.0, -1.0 }) });
   ScatteringLight dark = MakeLight(medium, Oblique);

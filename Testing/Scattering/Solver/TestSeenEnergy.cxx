@@ -4,7 +4,7 @@
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Scattering/Solver/ScatteringCases.h"
-#include "Scattering/Solver/SeenLight.h"
+#include "Scattering/Solver/RadianceSampler.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -71,7 +71,7 @@ Setting MakeSetting(unsigned seed)
   if (random.Get(0.0, 1.0) < 0.3)
   {
     const std::array<double, 3> position = random.GetPoint(2.0);
-    setting.Lights.push_back(MakeLightAt(medium, glm::make_vec3(position.data())));
+    setting.Lights.push_back(MakeScatteringPointLight(medium, glm::make_vec3(position.data())));
   }
   setting.Settings.BackwardLayers = random.Get(0.0, 1.0) < 0.2 ? integer(1, 4) : 0;
   setting.Settings.AngleVariance = random.Get(-0.1, 0.5);
@@ -105,16 +105,16 @@ void CheckSeen(Check& check, int number)
       Solve(setting.Medium, setting.Lights, ScatteringMode::Forward, setting.Settings);
     const Solved full =
       Solve(setting.Medium, setting.Lights, ScatteringMode::Full, setting.Settings);
-    const SeenLight seen(setting.Medium, setting.Lights, setting.G);
+    const RadianceSampler seen(setting.Medium, setting.Lights, setting.G);
     const auto find = [&](int rays)
     {
       return seen.GetEnergy(
         { nullptr, &forward.Field, &full.Field }, rays, 1000u + static_cast<unsigned>(i));
     };
-    std::vector<SeenLight::Energy> energies = find(1024);
+    std::vector<RadianceSampler::Energy> energies = find(1024);
     // Suspicious results are computed again with more rays.
     const bool isSuspicious = std::any_of(energies.begin(), energies.end(),
-      [](const SeenLight::Energy& energy)
+      [](const RadianceSampler::Energy& energy)
       {
         return std::abs(energy.Seen / energy.Incoming - 1.0) >
           0.03 + 2.0 * energy.Error / energy.Incoming;
@@ -126,7 +126,7 @@ void CheckSeen(Check& check, int number)
     const char* const names[] = { "single", "forward", "full" };
     for (std::size_t mode = 0; mode < energies.size(); ++mode)
     {
-      const SeenLight::Energy& energy = energies[mode];
+      const RadianceSampler::Energy& energy = energies[mode];
       const double fraction = energy.Seen / energy.Incoming;
       const double noise = 3.0 * energy.Error / energy.Incoming;
       check.SetContext(
@@ -184,8 +184,8 @@ void CheckThick(Check& check)
   {
     const std::vector<ScatteringLight> lights{ MakeLight(medium, { 0.3, 0.5, 1.0 }) };
     const Solved solved = Solve(medium, lights, ScatteringMode::Full);
-    const SeenLight seen(medium, lights, 0.0);
-    const SeenLight::Energy energy = seen.GetEnergy({ &solved.Field }, rays, 7).front();
+    const RadianceSampler seen(medium, lights, 0.0);
+    const RadianceSampler::Energy energy = seen.GetEnergy({ &solved.Field }, rays, 7).front();
     const double fraction = energy.Seen / energy.Incoming;
     const double noise = 2.0 * energy.Error / energy.Incoming;
     std::cout << name << ": " << fraction << " of the light leaves, noise " << noise << "\n";

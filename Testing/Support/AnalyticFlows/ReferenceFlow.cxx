@@ -44,7 +44,7 @@ Flow Flow::Rotation(double rate)
   return Flow::Linear({ 0, -rate, 0, rate, 0, 0, 0, 0, 0 });
 }
 
-Flow Flow::RoundSphere()
+Flow Flow::PotentialAroundSphere()
 {
   Flow flow;
   // v = e + e / (2 r^3) - 3 x (x . e) / (2 r^5), where e is the unit vector along x and r = |x|

@@ -31,7 +31,7 @@ struct Flow
   static Flow Rotation(double rate);
   /// Returns the potential flow around the unit sphere at the origin. The velocity at infinity is
   /// (1, 0, 0).
-  static Flow RoundSphere();
+  static Flow PotentialAroundSphere();
   /// Returns an Arnold-Beltrami-Childress flow, which is chaotic and equal to its curl.
   static Flow Beltrami(double a, double b, double c);
   /// Returns the flow v = (tanh(y / thickness), 0, 0) + drift.

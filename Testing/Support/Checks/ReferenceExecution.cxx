@@ -22,7 +22,7 @@ vtkDataSet* GetOutput(vtkAlgorithm* filter)
 
 }
 
-void ForThreads(const std::string& name, const std::function<void()>& run, Check& check)
+void ForEachThreadCount(const std::string& name, const std::function<void()>& run, Check& check)
 {
   int backends = 0;
   for (const char* backend : GetBackends())
@@ -38,7 +38,7 @@ void ForThreads(const std::string& name, const std::function<void()>& run, Check
       SetThreads(threads);
       const bool isSerial = threads == 1 || std::string(backend) == "Sequential" ||
         std::thread::hardware_concurrency() == 1;
-      check.That(HasThreads(isSerial) != isSerial,
+      check.That(RunsConcurrently(isSerial) != isSerial,
         isSerial ? "a single thread runs" : "several threads run");
       run();
     }
@@ -50,12 +50,12 @@ void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<dou
   const std::function<std::string()>& update, Check& check)
 {
   ProgressWatch watch;
-  const unsigned long observer = Observe(filter, watch);
+  const unsigned long observer = ObserveProgress(filter, watch);
   filter->Modified();
   const std::string expected = update();
   check.That(
     !expected.empty() && GetOutput(filter)->GetNumberOfPoints() > 0, "the output is not empty");
-  CheckGrowth(watch, events, check);
+  CheckMonotonicProgress(watch, events, check);
   for (const double at : times)
   {
     watch = ProgressWatch();
@@ -74,7 +74,7 @@ void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<dou
 
 void CheckError(vtkAlgorithm* filter, const std::string& message, Check& check)
 {
-  const std::string found = MessagesOf(filter);
+  const std::string found = UpdateAndGetErrors(filter);
   check.Contains(found, message);
   vtkDataSet* output = GetOutput(filter);
   check.That(!output || output->GetNumberOfPoints() == 0, "the output is empty after: " + message);

@@ -24,7 +24,7 @@ namespace reference
 /// Calls \a run with 1, 2 and 8 threads of each available vtkSMPTools backend. The context of the
 /// checks is \a name, the backend and the number of threads. At least one backend besides
 /// Sequential must be available.
-void ForThreads(const std::string& name, const std::function<void()>& run, Check& check);
+void ForEachThreadCount(const std::string& name, const std::function<void()>& run, Check& check);
 
 /// Checks that \a run returns the same value for every backend and number of threads as with one
 /// thread.
@@ -34,7 +34,7 @@ void CheckSame(const std::string& name, const Run& run, Check& check)
   vtkSMPTools::SetBackend("Sequential");
   SetThreads(1);
   const auto expected = run();
-  ForThreads(
+  ForEachThreadCount(
     name,
     [&]() { check.That(run() == expected, "the result is the same for any number of threads"); },
     check);

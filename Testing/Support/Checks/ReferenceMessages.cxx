@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <iostream>
 
-std::string reference::MessagesOf(vtkAlgorithm* filter)
+std::string reference::UpdateAndGetErrors(vtkAlgorithm* filter)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   filter->AddObserver(vtkCommand::ErrorEvent, observer);
@@ -23,16 +23,16 @@ std::string reference::MessagesOf(vtkAlgorithm* filter)
   return observer->GetErrorMessage();
 }
 
-std::string reference::ErrorsOf(vtkObject* object, const std::function<void()>& act)
+std::string reference::CaptureErrors(vtkObject* object, const std::function<void()>& act)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   object->AddObserver(vtkCommand::ErrorEvent, observer);
   act();
   object->RemoveObserver(observer);
-  return InOneLine(observer->GetErrorMessage());
+  return ToSingleLine(observer->GetErrorMessage());
 }
 
-std::string reference::InOneLine(const std::string& message)
+std::string reference::ToSingleLine(const std::string& message)
 {
   const std::size_t words = message.find("): ");
   std::string line = words == std::string::npos ? message : message.substr(words + 3);
@@ -50,7 +50,7 @@ std::string reference::WarningsOf(vtkAlgorithm* filter)
   return observer->GetWarningMessage();
 }
 
-void reference::UpdateWatched(vtkAlgorithm* filter)
+void reference::UpdateAndCheckWarnings(vtkAlgorithm* filter)
 {
   const std::string warnings = WarningsOf(filter);
   const bool isReported = warnings.find("The output is empty: ") != std::string::npos;
@@ -64,7 +64,7 @@ void reference::UpdateWatched(vtkAlgorithm* filter)
   }
 }
 
-void reference::ExpectWarnings(vtkAlgorithm* filter)
+void reference::AllowWarnings(vtkAlgorithm* filter)
 {
   vtkNew<vtkCallbackCommand> nothing;
   filter->AddObserver(vtkCommand::WarningEvent, nothing);

@@ -12,14 +12,14 @@ namespace reference
 {
 
 /// Updates a filter and returns the errors of the filter and its executive.
-std::string MessagesOf(vtkAlgorithm* filter);
+std::string UpdateAndGetErrors(vtkAlgorithm* filter);
 
 /// Calls \a act and returns the errors of \a object as a single line.
-std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
+std::string CaptureErrors(vtkObject* object, const std::function<void()>& act);
 
 /// Removes the source location that VTK puts before a message, and replaces line breaks with
 /// spaces.
-std::string InOneLine(const std::string& message);
+std::string ToSingleLine(const std::string& message);
 
 /// Updates a filter and returns its warnings.
 std::string WarningsOf(vtkAlgorithm* filter);
@@ -29,10 +29,10 @@ std::string WarningsOf(vtkAlgorithm* filter);
  * has no cells. If a warning is missing or unexpected, prints a line in the format of VTK's logger,
  * which fails the test.
  */
-void UpdateWatched(vtkAlgorithm* filter);
+void UpdateAndCheckWarnings(vtkAlgorithm* filter);
 
 /// Suppresses the warnings of a filter whose output may be empty on purpose.
-void ExpectWarnings(vtkAlgorithm* filter);
+void AllowWarnings(vtkAlgorithm* filter);
 
 }
 

@@ -30,7 +30,7 @@ void OnProgress(vtkObject* caller, unsigned long, void* client, void* data)
 
 }
 
-unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch)
+unsigned long ObserveProgress(vtkAlgorithm* filter, ProgressWatch& watch)
 {
   vtkNew<vtkCallbackCommand> command;
   command->SetCallback(OnProgress);
@@ -38,7 +38,7 @@ unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch)
   return filter->AddObserver(vtkCommand::ProgressEvent, command);
 }
 
-void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check)
+void CheckMonotonicProgress(const ProgressWatch& watch, std::size_t times, Check& check)
 {
   const std::vector<double>& progress = watch.Progress;
   check.That(
@@ -53,12 +53,12 @@ void CheckProgress(
 {
   filter->SetInputDataObject(data);
   ProgressWatch watch;
-  Observe(filter, watch);
+  ObserveProgress(filter, watch);
   filter->Update();
   vtkNew<vtkUnstructuredGrid> complete;
   complete->DeepCopy(filter->GetOutput());
   check.That(complete->GetNumberOfCells() > 0, "the output is not empty");
-  CheckGrowth(watch, 3, check);
+  CheckMonotonicProgress(watch, 3, check);
 
   for (double at : { 0.0, 0.3, 0.6, 0.9 })
   {

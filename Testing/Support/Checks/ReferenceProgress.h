@@ -27,11 +27,11 @@ struct ProgressWatch
 };
 
 /// Adds an observer and returns its tag. \a watch must outlive the observer.
-unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch);
+unsigned long ObserveProgress(vtkAlgorithm* filter, ProgressWatch& watch);
 
 /// Checks that there were at least \a times progress events, and that progress never decreased and
 /// was between 0 and 1.
-void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check);
+void CheckMonotonicProgress(const ProgressWatch& watch, std::size_t times, Check& check);
 
 /// Checks that the progress of \a filter with the input \a data never decreases. After an abort,
 /// the output must be empty or complete, with cells of \a type. An update after the abort must

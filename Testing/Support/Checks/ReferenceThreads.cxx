@@ -23,7 +23,7 @@ void SetThreads(int threads)
   vtkSMPTools::Initialize(threads);
 }
 
-bool HasThreads(bool isUnlikely)
+bool RunsConcurrently(bool isUnlikely)
 {
   const std::chrono::milliseconds wait(isUnlikely ? 5 : 20000);
   std::atomic<int> begun(0);
@@ -75,7 +75,7 @@ void CheckThreads(const std::string& name,
       check.That(difference.empty(), difference);
     }
   };
-  ForThreads(name, compare, check);
+  ForEachThreadCount(name, compare, check);
 }
 
 }

@@ -21,7 +21,7 @@ void SetThreads(int threads);
 /// Returns whether two iterations of a loop run concurrently. Each iteration waits for the other,
 /// but only for a few milliseconds if \a isUnlikely. vtkSMPTools::GetEstimatedNumberOfThreads()
 /// cannot be used: in VTK 9.6 it returns the lowest number of threads that was ever set.
-bool HasThreads(bool isUnlikely);
+bool RunsConcurrently(bool isUnlikely);
 
 /// Returns the names of the vtkSMPTools backends to compare. Some may be unavailable. With
 /// ThreadSanitizer, backends whose libraries are not instrumented are excluded, since

@@ -23,7 +23,7 @@ namespace
 
 vtkSmartPointer<vtkUnstructuredGrid> WithField(vtkSmartPointer<vtkUnstructuredGrid> grid)
 {
-  AddLinear(grid, "f", 0.1, { { 0.5, 0.3, 0.1 } });
+  AddLinearArray(grid, "f", 0.1, { { 0.5, 0.3, 0.1 } });
   grid->GetPointData()->SetActiveScalars("f");
   return grid;
 }
@@ -83,7 +83,7 @@ void MovePoints(
   grid->SetPoints(points);
 }
 
-void AddLinear(
+void AddLinearArray(
   vtkUnstructuredGrid* grid, const std::string& name, double constant, const Point3& gradient)
 {
   vtkNew<vtkDoubleArray> values;
@@ -97,7 +97,7 @@ void AddLinear(
   grid->GetPointData()->AddArray(values);
 }
 
-void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int slabs)
+void AddSlabIndices(vtkUnstructuredGrid* grid, const std::string& name, int axis, int slabs)
 {
   const double* bounds = grid->GetBounds();
   vtkNew<vtkIntArray> numbers;
@@ -114,7 +114,7 @@ void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int 
   grid->GetCellData()->AddArray(numbers);
 }
 
-double BoxChord(vtkUnstructuredGrid* grid, const Ray& ray)
+double GetChordLength(vtkUnstructuredGrid* grid, const Ray& ray)
 {
   const double* bounds = grid->GetBounds();
   Real entry = 0;

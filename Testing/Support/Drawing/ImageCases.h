@@ -34,15 +34,15 @@ void MovePoints(vtkUnstructuredGrid* grid, const Point3& origin, double scale,
   const Point3& stretch = { { 1.0, 1.0, 1.0 } });
 
 /// Adds a point array whose value at each point p is constant + gradient . p.
-void AddLinear(
+void AddLinearArray(
   vtkUnstructuredGrid* grid, const std::string& name, double constant, const Point3& gradient);
 
 /// Adds a cell array with the index of the slab that contains the cell's center. The bounds are
 /// divided into \a slabs equal slabs along the axis.
-void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int slabs);
+void AddSlabIndices(vtkUnstructuredGrid* grid, const std::string& name, int axis, int slabs);
 
 /// Returns the length of the part of a view ray inside the bounds of a grid.
-double BoxChord(vtkUnstructuredGrid* grid, const Ray& ray);
+double GetChordLength(vtkUnstructuredGrid* grid, const Ray& ray);
 
 }
 

@@ -26,7 +26,7 @@ interlume::AdvectionResult AdvectIn(
 }
 
 interlume::AdvectionResult Advect(
-  const SpaceWalker& field, const interlume::AdvectionOptions& options, Position start)
+  const SingleCellWalker& field, const interlume::AdvectionOptions& options, Position start)
 {
   return AdvectIn(field, options, start);
 }
@@ -37,16 +37,16 @@ interlume::AdvectionResult Advect(
   return AdvectIn(field, options, start);
 }
 
-KeepingOptions ForwardOptions()
+OwningAdvectionOptions ForwardOptions()
 {
-  KeepingOptions options;
+  OwningAdvectionOptions options;
   options.SetBackward(false);
   return options;
 }
 
-KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces)
+OwningAdvectionOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces)
 {
-  KeepingOptions options = ForwardOptions();
+  OwningAdvectionOptions options = ForwardOptions();
   options.OwnedSurfaces = surfaces;
   int id = 0;
   for (const auto& surface : surfaces)

@@ -17,21 +17,21 @@ namespace reference
 /// Traces one streamline with interlume::Advection through unbounded space, a box, or a regular
 /// grid.
 interlume::AdvectionResult Advect(
-  const SpaceWalker& field, const interlume::AdvectionOptions& options, Position start);
+  const SingleCellWalker& field, const interlume::AdvectionOptions& options, Position start);
 interlume::AdvectionResult Advect(
   const BoxWalker& field, const interlume::AdvectionOptions& options, Position start);
 ///@}
 
 /// Advection options that own their termination surfaces.
-struct KeepingOptions : interlume::AdvectionOptions
+struct OwningAdvectionOptions : interlume::AdvectionOptions
 {
   std::vector<vtkSmartPointer<FormulaSurface>> OwnedSurfaces;
 };
 /// Returns options for forward advection with a maximum error of 1e-6 and without termination
 /// surfaces.
-KeepingOptions ForwardOptions();
+OwningAdvectionOptions ForwardOptions();
 /// Returns ForwardOptions() with termination surfaces, which get the ids 10, 20, 30 and so on.
-KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces);
+OwningAdvectionOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces);
 
 /// Returns the number of all steps, accepted and rejected, nonstiff and stiff.
 int NumberOfSteps(const interlume::AdvectionResult& result);

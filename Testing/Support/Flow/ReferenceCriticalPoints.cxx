@@ -40,7 +40,7 @@ FlowFunction LinearField(const FlowMatrix& matrix, const FlowVector& center)
 
 CriticalPoints::CriticalPoints(vtkDataSet* data)
 {
-  ExpectWarnings(this->Filter);
+  AllowWarnings(this->Filter);
   this->Filter->SetInputDataObject(data);
   this->Filter->Update();
   this->Output = this->Filter->GetOutput();

@@ -93,7 +93,7 @@ void MovePoints(vtkPointSet* grid, const VectorField& position)
   grid->SetPoints(moved);
 }
 
-VectorField MakeBend(const std::array<int, 3>& cells, double bend)
+VectorField MakeDisplacement(const std::array<int, 3>& cells, double bend)
 {
   return [cells, bend](const Vector& x)
   {
@@ -238,7 +238,7 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids()
   rectilinear->SetZCoordinates(coordinates);
   grids.emplace_back("rectilinear grid", rectilinear);
   auto structured = MakeStructuredGrid({ { 4, 4, 4 } });
-  MovePoints(structured, MakeBend({ { 4, 4, 4 } }, 0.2));
+  MovePoints(structured, MakeDisplacement({ { 4, 4, 4 } }, 0.2));
   grids.emplace_back("structured grid", structured);
   for (const MeshKind kind : FlowMeshKinds())
   {

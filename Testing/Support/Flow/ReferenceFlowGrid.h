@@ -50,7 +50,7 @@ void MovePoints(vtkPointSet* grid, const VectorField& position);
 
 /// Returns a map that displaces interior points of the box from 0 to \a cells by at most \a bend
 /// along each axis. Points on the boundary stay in place.
-VectorField MakeBend(const std::array<int, 3>& cells, double bend);
+VectorField MakeDisplacement(const std::array<int, 3>& cells, double bend);
 
 /// Returns a grid of unit cubes that fills the box from 0 to \a cells.
 vtkSmartPointer<vtkStructuredGrid> MakeStructuredGrid(const std::array<int, 3>& cells);

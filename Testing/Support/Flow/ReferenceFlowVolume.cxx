@@ -24,7 +24,7 @@ vtkSmartPointer<vtkTerminationPlane> reference::MakeWidePlane(double position)
 vtkSmartPointer<vtkUnstructuredGrid> reference::ExtractFlow(vtkDataSet* samples)
 {
   vtkNew<vtkFlowVolume> volume;
-  ExpectWarnings(volume);
+  AllowWarnings(volume);
   volume->SetInputData(samples);
   volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   volume->Update();

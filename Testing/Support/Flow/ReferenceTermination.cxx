@@ -36,12 +36,12 @@ std::vector<SurfaceScale> MakeSurfaceScales()
   return scales;
 }
 
-double DistanceOf(const vtkTerminationSurface* surface, const Vector& x)
+double GetSurfaceDistance(const vtkTerminationSurface* surface, const Vector& x)
 {
   return surface->EvaluateDistance(x.data());
 }
 
-std::vector<Vector> PointsAround(const SurfaceScale& scale, int number, unsigned seed)
+std::vector<Vector> MakeRandomPointsNear(const SurfaceScale& scale, int number, unsigned seed)
 {
   Random random(seed);
   std::vector<Vector> points;
@@ -58,12 +58,12 @@ void CheckLipschitz(const vtkTerminationSurface* surface, const SurfaceScale& sc
   const std::string& name, Check& check)
 {
   Random random(7);
-  for (const Vector& a : PointsAround(scale, 2000, 1))
+  for (const Vector& a : MakeRandomPointsNear(scale, 2000, 1))
   {
     const double step = scale.Size * std::pow(10.0, random.Get(-6.0, 0.5));
     const Vector b = a + step * random.GetDirection();
     const double length = GetNorm(b - a);
-    const double change = std::abs(DistanceOf(surface, b) - DistanceOf(surface, a));
+    const double change = std::abs(GetSurfaceDistance(surface, b) - GetSurfaceDistance(surface, a));
     check.That(change <= length + 30.0 * scale.Rounding * scale.Size,
       name + ": the distance changes by " + std::to_string(change / length) +
         " of the distance between the points");
@@ -88,8 +88,8 @@ void CheckRoundTrip(const vtkTerminationSurface* surface, const SurfaceScale& sc
     }
     ++found;
     const double reach = scale.Rounding * scale.Size;
-    check.Near(
-      DistanceOf(surface, x), 0.0, reach, name + ": distance at a point of the surface", 1.0);
+    check.Near(GetSurfaceDistance(surface, x), 0.0, reach,
+      name + ": distance at a point of the surface", 1.0);
     check.That(surface->IsOn(x.data()), name + ": IsOn is true at a point of the surface");
     check.Equal(surface->EvaluatePart(x.data()), part, name + ": part");
     double again[2];
@@ -130,15 +130,15 @@ void CheckNormals(const vtkTerminationSurface* surface, const SurfaceScale& scal
     check.Near(GetNorm(normal), 1.0, 1e-12, name + ": length of a normal");
     for (double side : { -1.0, 1.0 })
     {
-      check.Near(DistanceOf(surface, x + side * step * normal) / step, side, tolerance,
+      check.Near(GetSurfaceDistance(surface, x + side * step * normal) / step, side, tolerance,
         name + ": distance along the normal");
     }
     for (int axis = 0; axis < 3; ++axis)
     {
       Vector direction = { { 0.0, 0.0, 0.0 } };
       direction[axis] = 1.0;
-      const double slope =
-        (DistanceOf(surface, x + step * direction) - DistanceOf(surface, x - step * direction)) /
+      const double slope = (GetSurfaceDistance(surface, x + step * direction) -
+                             GetSurfaceDistance(surface, x - step * direction)) /
         (2.0 * step);
       check.Near(slope, normal[axis], tolerance, name + ": gradient of the distance", 1.0);
     }
@@ -148,10 +148,10 @@ void CheckNormals(const vtkTerminationSurface* surface, const SurfaceScale& scal
 void CheckDistance(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::function<double(const Vector&)>& expected, const std::string& name, Check& check)
 {
-  for (const Vector& x : PointsAround(scale, 2000, 11))
+  for (const Vector& x : MakeRandomPointsNear(scale, 2000, 11))
   {
-    check.Near(
-      DistanceOf(surface, x), expected(x), 10.0 * scale.Rounding, name + ": distance", scale.Size);
+    check.Near(GetSurfaceDistance(surface, x), expected(x), 10.0 * scale.Rounding,
+      name + ": distance", scale.Size);
   }
 }
 
@@ -174,14 +174,14 @@ void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scal
   }
   check.That(
     points.size() > static_cast<std::size_t>(samples), name + ": there are enough samples");
-  for (const Vector& x : PointsAround(scale, 200, 13))
+  for (const Vector& x : MakeRandomPointsNear(scale, 200, 13))
   {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vector& point : points)
     {
       nearest = std::min(nearest, GetNorm(point - x));
     }
-    const double distance = std::abs(DistanceOf(surface, x));
+    const double distance = std::abs(GetSurfaceDistance(surface, x));
     check.That(
       distance <= nearest + 30.0 * scale.Rounding * scale.Size && nearest <= distance + spacing,
       name + ": the distance to the nearest sample is " + std::to_string(nearest / scale.Size) +

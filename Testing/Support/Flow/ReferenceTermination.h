@@ -17,7 +17,7 @@ namespace reference
 
 using Vector = std::array<double, 3>;
 
-double DistanceOf(const vtkTerminationSurface* surface, const Vector& x);
+double GetSurfaceDistance(const vtkTerminationSurface* surface, const Vector& x);
 
 /// Size and position of a surface, and the expected rounding error.
 struct SurfaceScale
@@ -32,7 +32,7 @@ struct SurfaceScale
 std::vector<SurfaceScale> MakeSurfaceScales();
 
 /// Returns random points around a surface.
-std::vector<Vector> PointsAround(const SurfaceScale& scale, int number, unsigned seed);
+std::vector<Vector> MakeRandomPointsNear(const SurfaceScale& scale, int number, unsigned seed);
 
 /// Checks that the distances of two points from the surface differ by at most the distance between
 /// the points.

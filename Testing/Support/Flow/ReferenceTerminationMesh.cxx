@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> TexturedMesh::MakeData() const
   return data;
 }
 
-TexturedMesh TexturedMesh::Placed(const SurfaceScale& scale) const
+TexturedMesh TexturedMesh::GetTransformed(const SurfaceScale& scale) const
 {
   TexturedMesh placed = *this;
   for (Vector& point : placed.Points)
@@ -132,7 +132,7 @@ TexturedMesh MakeStar()
   return MakeSolid(points, triangles);
 }
 
-std::vector<Vector> DifficultPositions(const TexturedMesh& mesh)
+std::vector<Vector> MakeSignTestPoints(const TexturedMesh& mesh)
 {
   Random random(17);
   std::vector<Vector> positions;

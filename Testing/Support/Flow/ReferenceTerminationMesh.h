@@ -23,7 +23,7 @@ struct TexturedMesh
   /// Returns the mesh as a dataset.
   vtkSmartPointer<vtkPolyData> MakeData() const;
   /// Returns the mesh scaled about the origin, then translated.
-  TexturedMesh Placed(const SurfaceScale& scale) const;
+  TexturedMesh GetTransformed(const SurfaceScale& scale) const;
 };
 
 /// Returns a triangulated grid over (u,v) in [0, 1]^2, with points at \a position(u, v) and texture
@@ -42,7 +42,7 @@ TexturedMesh MakeStar();
 
 /// Returns points where the sign of the distance is hard to determine: near corners and edges, and
 /// outside each triangle, in its plane.
-std::vector<Vector> DifficultPositions(const TexturedMesh& mesh);
+std::vector<Vector> MakeSignTestPoints(const TexturedMesh& mesh);
 
 /// Returns the distance from the nearest of all triangles. The distance from a triangle is the
 /// distance from its plane if the projected point is inside, otherwise from its nearest edge.

@@ -27,7 +27,7 @@ namespace reference
 
 /// Calls \a function with a cell walker for the field \a vectors on \a data. Errors fail the test.
 template <typename Function>
-void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
+void CallWithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
 {
   const interlume::Error error = interlume::FieldDispatch::Execute(data, vectors, {}, function);
   check.That(!error, error.GetMessage());
@@ -292,7 +292,7 @@ private:
   Vector GetTarget(double time) const { return this->Start + time * this->Direction; }
 
   // Converts a world vector x at p to a change of local coordinates.
-  Vector GetLocal(const Vector& p, const Vector& x) const
+  Vector GetLocalVector(const Vector& p, const Vector& x) const
   {
     Vector columns[3];
     for (int j = 0; j < 3; ++j)
@@ -311,11 +311,12 @@ private:
     return Dot(a, Cross(b, c));
   }
 
-  Vector FindLocal(double time, Vector p) const
+  Vector FindLocalPoint(double time, Vector p) const
   {
     for (int i = 0; i < 6; ++i)
     {
-      const Vector step = this->GetLocal(p, this->GetTarget(time) - PositionOf(this->Stand, p));
+      const Vector step =
+        this->GetLocalVector(p, this->GetTarget(time) - PositionOf(this->Stand, p));
       p += step;
       if (GetLargest(step) < 1e-15)
       {
@@ -330,7 +331,7 @@ private:
   int FindFace(double maximumTime)
   {
     constexpr double onFace = 1e-12;
-    const Vector rate = this->GetLocal(this->P, this->Direction);
+    const Vector rate = this->GetLocalVector(this->P, this->Direction);
     const double largest = GetLargest(rate);
     for (int face = 0; face < this->Stand.GetNumberOfFaces(); ++face)
     {
@@ -343,8 +344,8 @@ private:
     }
     while (this->Time < maximumTime)
     {
-      const double step = 0.1 / GetLargest(this->GetLocal(this->P, this->Direction));
-      const Vector next = this->FindLocal(this->Time + step, this->P);
+      const double step = 0.1 / GetLargest(this->GetLocalVector(this->P, this->Direction));
+      const Vector next = this->FindLocalPoint(this->Time + step, this->P);
       double first = this->Time + step;
       Vector position = next;
       int exit = -1;
@@ -357,14 +358,14 @@ private:
           for (int i = 0; i < 60; ++i)
           {
             const double midpoint = 0.5 * (low + high);
-            const Vector p = this->FindLocal(midpoint, this->P);
+            const Vector p = this->FindLocalPoint(midpoint, this->P);
             (this->Stand.GetFaceDistance(face, p.data()) < 0.0 ? high : low) = midpoint;
           }
           if (exit < 0 || low < first)
           {
             first = low;
             exit = face;
-            position = this->FindLocal(low, this->P);
+            position = this->FindLocalPoint(low, this->P);
           }
         }
       }
@@ -484,7 +485,7 @@ inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Ch
 {
   auto linear =
     AddVectors(data, [unit](const Vector& x) { return GetLinearVector((1.0 / unit) * x); });
-  WithWalker(data, linear, check,
+  CallWithWalker(data, linear, check,
     [&](const auto& walker) { CheckLinear(walker, data, linear, unit, tolerance, check); });
 }
 
@@ -496,7 +497,7 @@ inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& c
     { { { 3.5, 0.5, 2.5 } }, { { -1, 1, -1 } } }, { { { 0.5, 0.5, 2 } }, { { 1, 1, 0 } } },
     { { { 0.25, 3, 2 } }, { { 1, 0, 0 } } }, { { { 0.25, 2.5, 1.5 } }, { { 1, 0, 0 } } } };
   auto vectors = AddRandomVectors(data, 5);
-  WithWalker(data, vectors, check,
+  CallWithWalker(data, vectors, check,
     [&](const auto& walker)
     {
       for (const auto& line : lines)
@@ -509,7 +510,7 @@ inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& c
 
 /// Hides the cells with i = 2 in a grid of 4 x 3 x 3 cells, except the center cell of this layer,
 /// which becomes a duplicate cell, as if another piece owned it.
-inline void HideRow(vtkUnsignedCharArray* ghosts)
+inline void HideLayer(vtkUnsignedCharArray* ghosts)
 {
   for (vtkIdType cell = 0; cell < ghosts->GetNumberOfTuples(); ++cell)
   {
@@ -518,10 +519,10 @@ inline void HideRow(vtkUnsignedCharArray* ghosts)
   ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
 }
 
-/// Checks the walker at the hidden and duplicate cells of HideRow(). Returns the walk that stops at
-/// a hidden cell.
+/// Checks the walker at the hidden and duplicate cells of HideLayer(). Returns the walk that stops
+/// at a hidden cell.
 template <typename Walker>
-LineWalk<Walker> CheckHiddenRow(Walker walker, Check& check)
+LineWalk<Walker> CheckHiddenLayer(Walker walker, Check& check)
 {
   Vector p;
   const Vector hidden = { { 2.5, 0.5, 0.5 } };

@@ -15,19 +15,19 @@ namespace reference
 {
 
 /**
- * @class   SpaceWalker
+ * @class   SingleCellWalker
  * @brief   cell walker through a flow, with a single cell that is all of space or a box
  *
  * The local coordinates p are equal to the position x.
  */
-class SpaceWalker : public interlume::CellWalker
+class SingleCellWalker : public interlume::CellWalker
 {
 public:
-  explicit SpaceWalker(const Flow& flow)
+  explicit SingleCellWalker(const Flow& flow)
     : Field(&flow)
   {
   }
-  SpaceWalker(const Flow& flow, const std::array<double, 6>& bounds)
+  SingleCellWalker(const Flow& flow, const std::array<double, 6>& bounds)
     : Field(&flow)
     , HasBounds(true)
     , Bounds(bounds)
@@ -132,7 +132,7 @@ public:
       p[i] = at - this->Cell[i];
     }
     this->EvaluateCorners();
-    return this->IsCell();
+    return this->IsCellInGrid();
   }
   vtkIdType GetCell() const
   {
@@ -208,7 +208,8 @@ public:
     const int step = face % 2 == 0 ? -1 : 1;
     const std::array<int, 3> before = this->Cell;
     this->Cell[axis] += step;
-    if (this->Cell[axis] < 0 || this->Cell[axis] >= this->Grid->Cells[axis] || !this->IsCell())
+    if (this->Cell[axis] < 0 || this->Cell[axis] >= this->Grid->Cells[axis] ||
+      !this->IsCellInGrid())
     {
       this->Cell = before;
       return false;
@@ -240,7 +241,7 @@ public:
   }
 
 private:
-  bool IsCell() const { return !this->Grid->IsCell || this->Grid->IsCell(this->Cell); }
+  bool IsCellInGrid() const { return !this->Grid->IsCell || this->Grid->IsCell(this->Cell); }
 
   void EvaluateCorners()
   {

@@ -93,11 +93,11 @@ ShadowScene MakeHalfPlane(double ratio, double width)
   scene.Camera->SetClippingRange(1.0, 10.0);
   // Pixels are square, and at most nine rows fit on the receiver.
   scene.Size = { { Pixels, 9 } };
-  scene.Camera->SetParallelScale(0.5 * 9.0 * GetHalfPlanePixel());
+  scene.Camera->SetParallelScale(0.5 * 9.0 * GetHalfPlanePixelWidth());
   return scene;
 }
 
-double GetHalfPlanePixel()
+double GetHalfPlanePixelWidth()
 {
   return VisibleFraction * Width / Pixels;
 }
@@ -131,7 +131,7 @@ double GetRampWidth(const std::vector<double>& profile)
   for (std::size_t i = 1; i < profile.size(); ++i)
   {
     const double slope = profile[i] - profile[i - 1];
-    const double x = static_cast<double>(i) * GetHalfPlanePixel();
+    const double x = static_cast<double>(i) * GetHalfPlanePixelWidth();
     sum += slope;
     first += slope * x;
     second += slope * x * x;
@@ -163,7 +163,7 @@ double FitRampWidth(const std::vector<double>& profile)
       .second;
   };
   return boost::math::tools::brent_find_minima(minimumOfWidth, 1.0, count, Bits).first *
-    GetHalfPlanePixel();
+    GetHalfPlanePixelWidth();
 }
 
 }

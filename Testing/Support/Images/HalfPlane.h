@@ -21,7 +21,7 @@ namespace reference
 ShadowScene MakeHalfPlane(double ratio, double width);
 
 /// Returns the width of a pixel of MakeHalfPlane()'s image in world units.
-double GetHalfPlanePixel();
+double GetHalfPlanePixelWidth();
 
 /// Returns the light along x on the receiver as a fraction of the unoccluded light. There is one
 /// value per pixel, starting at x = -57.5 pixels in full shadow.

@@ -25,7 +25,7 @@ LightPoint At(const Double3& center, const Double3& side, const Double3& up, dou
 
 }
 
-std::vector<LightPoint> MakeSquarePoints(
+std::vector<LightPoint> MakeParallelogramLightPoints(
   const Double3& center, const Double3& side, const Double3& up, int count)
 {
   const double n = count;
@@ -38,7 +38,7 @@ std::vector<LightPoint> MakeSquarePoints(
   return points;
 }
 
-std::vector<LightPoint> MakeRoundPoints(
+std::vector<LightPoint> MakeEllipseLightPoints(
   const Double3& center, const Double3& side, const Double3& up, int count)
 {
   const double golden = vtkMath::Pi() * (3.0 - std::sqrt(5.0));

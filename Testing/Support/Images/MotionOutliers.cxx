@@ -52,13 +52,13 @@ MotionOutliers::Bend MotionOutliers::Measure(
   return bend;
 }
 
-MotionOutliers::Bend MotionOutliers::GetMeanBend() const
+MotionOutliers::Bend MotionOutliers::GetSecondDifferencesOfMean() const
 {
   const double mean = this->GetMean();
   return Measure(this->Means, VisibleMean * mean, MaximumMean * mean);
 }
 
-MotionOutliers::Bend MotionOutliers::GetChangeBend() const
+MotionOutliers::Bend MotionOutliers::GetSecondDifferencesOfChange() const
 {
   return Measure(this->Changes, VisibleChange, MaximumChange, true);
 }

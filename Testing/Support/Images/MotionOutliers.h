@@ -40,10 +40,10 @@ public:
 
   /// Returns the mean red value of all frames.
   double GetMean() const;
-  Bend GetMeanBend() const;
+  Bend GetSecondDifferencesOfMean() const;
   /// Returns the statistics of the largest pixel changes. Index 0 is the change from the first to
   /// the second frame.
-  Bend GetChangeBend() const;
+  Bend GetSecondDifferencesOfChange() const;
 
   /// Computes statistics of the second differences of \a numbers. Differences up to \a seen are not
   /// outliers, differences above \a bound are. With \a isAbove, only numbers above the mean of

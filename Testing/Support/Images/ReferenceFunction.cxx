@@ -23,7 +23,7 @@ void RequireLinear(bool isLinear)
 
 }
 
-StraightFunction::StraightFunction(vtkColorTransferFunction* function)
+PiecewiseLinearFunction::PiecewiseLinearFunction(vtkColorTransferFunction* function)
   : Clamping(function->GetClamping() != 0)
 {
   RequireLinear(function->GetColorSpace() == VTK_CTF_RGB && function->GetScale() == VTK_CTF_LINEAR);
@@ -36,7 +36,7 @@ StraightFunction::StraightFunction(vtkColorTransferFunction* function)
   }
 }
 
-StraightFunction::StraightFunction(vtkPiecewiseFunction* function)
+PiecewiseLinearFunction::PiecewiseLinearFunction(vtkPiecewiseFunction* function)
   : Clamping(function->GetClamping() != 0)
 {
   for (int i = 0; i < function->GetSize(); ++i)
@@ -48,7 +48,8 @@ StraightFunction::StraightFunction(vtkPiecewiseFunction* function)
   }
 }
 
-void StraightFunction::AppendNodes(double begin, double end, std::vector<double>& positions) const
+void PiecewiseLinearFunction::AppendNodes(
+  double begin, double end, std::vector<double>& positions) const
 {
   for (const Node& node : this->Nodes)
   {
@@ -60,7 +61,7 @@ void StraightFunction::AppendNodes(double begin, double end, std::vector<double>
   }
 }
 
-StraightFunction::Value StraightFunction::Evaluate(double x, double inside) const
+PiecewiseLinearFunction::Value PiecewiseLinearFunction::Evaluate(double x, double inside) const
 {
   if (this->Nodes.empty())
   {

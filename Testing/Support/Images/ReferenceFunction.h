@@ -12,22 +12,22 @@ namespace reference
 {
 
 /**
- * @class   StraightFunction
+ * @class   PiecewiseLinearFunction
  * @brief   piecewise linear transfer function in double precision
  *
  * The values are colors. An opacity function has three equal components. The function jumps where
  * two nodes have the same position.
  */
-class StraightFunction
+class PiecewiseLinearFunction
 {
 public:
   using Value = std::array<double, 3>;
 
-  StraightFunction() = default;
+  PiecewiseLinearFunction() = default;
   /// Throw std::invalid_argument if a midpoint or sharpness is not VTK's default, the color space
   /// is not RGB, or the scale is logarithmic.
-  explicit StraightFunction(vtkColorTransferFunction* function);
-  explicit StraightFunction(vtkPiecewiseFunction* function);
+  explicit PiecewiseLinearFunction(vtkColorTransferFunction* function);
+  explicit PiecewiseLinearFunction(vtkPiecewiseFunction* function);
 
   /// Appends the positions strictly between 0 and 1 where an argument that changes linearly from \a
   /// begin to \a end passes a node.

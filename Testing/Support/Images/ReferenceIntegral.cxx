@@ -21,7 +21,7 @@ constexpr double Weights[Points] = { 0.3626837833783620, 0.3137066458778873, 0.2
 class PartIntegral
 {
 public:
-  explicit PartIntegral(const StraightPart& part)
+  explicit PartIntegral(const LinearPart& part)
     : Part(part)
   {
     this->Result.Depth = this->Depth(0.0, 1.0);
@@ -126,7 +126,7 @@ private:
     this->Add(midpoint, end, depthInFront + front, level + 1);
   }
 
-  const StraightPart& Part;
+  const LinearPart& Part;
   Light Result;
 };
 
@@ -148,7 +148,7 @@ void Light::AddBehind(const Light& back)
   }
 }
 
-Light Integrate(const StraightPart& part)
+Light Integrate(const LinearPart& part)
 {
   return PartIntegral(part).Get();
 }

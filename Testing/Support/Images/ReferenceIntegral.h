@@ -10,7 +10,7 @@ namespace reference
 /**
  * A part of a view ray along which extinction, weight and color are linear.
  */
-struct StraightPart
+struct LinearPart
 {
   double Length = 0.0;
   /// Values at both ends: extinction per unit length, weight (temporal extent) and color.
@@ -43,7 +43,7 @@ struct Light
  * of each is below 1/2 and its integral agrees with the sum over its halves to within 1e-12. No
  * closed form of the integral is used. Optical depths from 0 to 1e12 are supported.
  */
-Light Integrate(const StraightPart& part);
+Light Integrate(const LinearPart& part);
 
 }
 

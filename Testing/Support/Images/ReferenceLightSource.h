@@ -2,7 +2,7 @@
 #ifndef ReferenceLightSource_h
 #define ReferenceLightSource_h
 
-#include "Support/Images/ReferenceImage.h" // for points
+#include "Support/Images/ImageInterpolator.h" // for points
 
 #include <array>
 #include <vector>

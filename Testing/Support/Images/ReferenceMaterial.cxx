@@ -65,14 +65,14 @@ ReferenceMaterial::ReferenceMaterial(
   }
   this->IsDirect = !this->Independent && components >= 3;
   this->ColorScale = this->Scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
-  this->Opacity = StraightFunction(property->GetScalarOpacity());
+  this->Opacity = PiecewiseLinearFunction(property->GetScalarOpacity());
   if (property->GetColorChannels() == 1)
   {
-    this->Color = StraightFunction(property->GetGrayTransferFunction());
+    this->Color = PiecewiseLinearFunction(property->GetGrayTransferFunction());
     return;
   }
   vtkColorTransferFunction* color = property->GetRGBTransferFunction();
-  this->Color = StraightFunction(color);
+  this->Color = PiecewiseLinearFunction(color);
   if (this->Independent && components > 1)
   {
     this->Component =
@@ -80,7 +80,7 @@ ReferenceMaterial::ReferenceMaterial(
   }
 }
 
-Sample ReferenceMaterial::OfTuple(vtkIdType tuple) const
+Sample ReferenceMaterial::MakeSampleFromTuple(vtkIdType tuple) const
 {
   double values[4];
   const int components = this->Scalars->GetNumberOfComponents();
@@ -120,7 +120,7 @@ bool ReferenceMaterial::IsFinite(vtkIdType cell, const std::array<vtkIdType, 4>&
   return std::all_of(points.begin(), points.end(),
     [&](vtkIdType point)
     {
-      const Sample sample = this->OfTuple(this->OfCells ? cell : point);
+      const Sample sample = this->MakeSampleFromTuple(this->OfCells ? cell : point);
       return std::isfinite(sample.ColorArgument) && std::isfinite(sample.OpacityArgument) &&
         std::isfinite(sample.Direct[0]) && std::isfinite(sample.Direct[1]) &&
         std::isfinite(sample.Direct[2]) &&
@@ -143,7 +143,7 @@ Sample ReferenceMaterial::At(
   Sample result{};
   for (int i = 0; i < 4; ++i)
   {
-    const Sample corner = this->OfTuple(this->OfCells ? cell : points[i]);
+    const Sample corner = this->MakeSampleFromTuple(this->OfCells ? cell : points[i]);
     const double weight = this->DeltaT ? this->DeltaT->GetComponent(points[i], 0) : corner.Weight;
     const double part = clamped[i] / sum;
     result.ColorArgument += part * corner.ColorArgument;
@@ -174,7 +174,7 @@ double ReferenceMaterial::GetOpacity(const Sample& sample) const
 }
 
 void ReferenceMaterial::AppendParts(
-  const Sample& begin, const Sample& end, double length, std::vector<StraightPart>& parts) const
+  const Sample& begin, const Sample& end, double length, std::vector<LinearPart>& parts) const
 {
   std::vector<double> positions = { 0.0, 1.0 };
   this->Opacity.AppendNodes(begin.OpacityArgument, end.OpacityArgument, positions);
@@ -186,7 +186,7 @@ void ReferenceMaterial::AppendParts(
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
   {
     const Sample inside = Between(begin, end, 0.5 * (positions[i] + positions[i + 1]));
-    StraightPart part;
+    LinearPart part;
     part.Length = length * (positions[i + 1] - positions[i]);
     for (int side = 0; side < 2; ++side)
     {
@@ -201,10 +201,10 @@ void ReferenceMaterial::AppendParts(
   }
 }
 
-StraightPart ReferenceMaterial::GetMeanPart(
+LinearPart ReferenceMaterial::GetMeanPart(
   const Sample& begin, const Sample& end, double length) const
 {
-  StraightPart part;
+  LinearPart part;
   part.Length = length;
   part.Weight = { begin.Weight, end.Weight };
   part.Extinction.fill(

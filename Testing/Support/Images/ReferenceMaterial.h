@@ -73,12 +73,12 @@ public:
   /// Splits the line between two samples into parts on which color and extinction are linear, and
   /// appends them front to back. \a length is the distance between the samples.
   void AppendParts(
-    const Sample& begin, const Sample& end, double length, std::vector<StraightPart>& parts) const;
+    const Sample& begin, const Sample& end, double length, std::vector<LinearPart>& parts) const;
   /// Returns a single part with the mean color and extinction of both ends.
-  StraightPart GetMeanPart(const Sample& begin, const Sample& end, double length) const;
+  LinearPart GetMeanPart(const Sample& begin, const Sample& end, double length) const;
 
 private:
-  Sample OfTuple(vtkIdType tuple) const;
+  Sample MakeSampleFromTuple(vtkIdType tuple) const;
   std::array<double, 3> EvaluateColor(const Sample& sample, const Sample& inside) const;
 
   vtkDataArray* Scalars = nullptr;
@@ -90,8 +90,8 @@ private:
   bool Independent = true;
   double ColorScale = 1.0;
   double UnitDistance = 1.0;
-  StraightFunction Color;
-  StraightFunction Opacity;
+  PiecewiseLinearFunction Color;
+  PiecewiseLinearFunction Opacity;
 };
 
 }

@@ -44,13 +44,13 @@ ReferenceMedium::ReferenceMedium(const SceneVolume& volume)
   {
     Row& row = this->Rows[k];
     row.Color = property->GetColorChannels(k) == 1
-      ? StraightFunction(property->GetGrayTransferFunction(k))
-      : StraightFunction(property->GetRGBTransferFunction(k));
-    row.Opacity = StraightFunction(property->GetScalarOpacity(k));
+      ? PiecewiseLinearFunction(property->GetGrayTransferFunction(k))
+      : PiecewiseLinearFunction(property->GetRGBTransferFunction(k));
+    row.Opacity = PiecewiseLinearFunction(property->GetScalarOpacity(k));
     row.HasGradientOpacity = property->HasGradientOpacity(k);
     if (row.HasGradientOpacity)
     {
-      row.GradientOpacity = StraightFunction(property->GetGradientOpacity(k));
+      row.GradientOpacity = PiecewiseLinearFunction(property->GetGradientOpacity(k));
     }
     row.UnitDistance = property->GetScalarOpacityUnitDistance(k);
     row.Weight = this->Rows.size() > 1 ? property->GetComponentWeight(k) : 1.0;
@@ -60,7 +60,7 @@ ReferenceMedium::ReferenceMedium(const SceneVolume& volume)
   this->HasTransmission = volume.TransmissionColor != nullptr;
   if (this->HasTransmission)
   {
-    this->Transmission = StraightFunction(volume.TransmissionColor.Get());
+    this->Transmission = PiecewiseLinearFunction(volume.TransmissionColor.Get());
   }
 }
 
@@ -82,8 +82,8 @@ bool ReferenceMedium::IsCropped(const Double3& index) const
   return (this->CroppingFlags & (1 << region)) == 0;
 }
 
-double ReferenceMedium::GetExtinction(
-  const Row& row, const Double3& index, const ReferenceImage::Sample& sample, int component) const
+double ReferenceMedium::GetExtinction(const Row& row, const Double3& index,
+  const ImageInterpolator::Sample& sample, int component) const
 {
   double opacity = row.Opacity.Evaluate(sample.Values[component])[0];
   if (opacity > 0.0 && row.HasGradientOpacity)
@@ -101,7 +101,7 @@ int ReferenceMedium::GetParts(
   {
     return 0;
   }
-  const ReferenceImage::Sample sample = this->Image.At(index);
+  const ImageInterpolator::Sample sample = this->Image.At(index);
   int count = 0;
   for (int k = 0; k < static_cast<int>(this->Rows.size()); ++k)
   {

@@ -3,7 +3,7 @@
 #define ReferenceMedium_h
 
 #include "Support/Images/ReferenceFunction.h" // for the transfer functions
-#include "Support/Images/ReferenceImage.h"    // for the values
+#include "Support/Images/ImageInterpolator.h" // for the values
 
 #include "vtkSmartPointer.h" // for the planes
 
@@ -50,11 +50,11 @@ public:
     double SpecularPower = 1.0;
   };
 
-  /// Throws std::invalid_argument if ReferenceImage or StraightFunction does, or if the volume has
-  /// three dependent components.
+  /// Throws std::invalid_argument if ImageInterpolator or PiecewiseLinearFunction does, or if the
+  /// volume has three dependent components.
   explicit ReferenceMedium(const SceneVolume& volume);
 
-  const ReferenceImage& GetImage() const { return this->Image; }
+  const ImageInterpolator& GetImage() const { return this->Image; }
   const Reflection& GetReflection(int row) const { return this->Rows[row].Reflect; }
 
   /// Stores the parts with positive extinction in \a parts and returns their number. If \a
@@ -72,9 +72,9 @@ public:
 private:
   struct Row
   {
-    StraightFunction Color;
-    StraightFunction Opacity;
-    StraightFunction GradientOpacity;
+    PiecewiseLinearFunction Color;
+    PiecewiseLinearFunction Opacity;
+    PiecewiseLinearFunction GradientOpacity;
     bool HasGradientOpacity = false;
     double UnitDistance = 1.0;
     double Weight = 1.0;
@@ -82,14 +82,14 @@ private:
   };
 
   bool IsCropped(const Double3& index) const;
-  double GetExtinction(const Row& row, const Double3& index, const ReferenceImage::Sample& sample,
-    int component) const;
+  double GetExtinction(const Row& row, const Double3& index,
+    const ImageInterpolator::Sample& sample, int component) const;
 
-  ReferenceImage Image;
+  ImageInterpolator Image;
   std::vector<Row> Rows;
   bool IsIndependent = true;
   bool IsDirect = false;
-  StraightFunction Transmission;
+  PiecewiseLinearFunction Transmission;
   bool HasTransmission = false;
   int CroppingFlags = 0;
   std::array<double, 6> CroppingPlanes{};

@@ -347,7 +347,7 @@ private:
         medium.Clip(viewRay.Origin, viewRay.Direction, interval.Begin, interval.End))
       {
         intervals.push_back(interval);
-        ReferenceImage::Walk(interval.Line, interval.Begin, interval.End,
+        ImageInterpolator::Walk(interval.Line, interval.Begin, interval.End,
           medium.GetCuts(interval.Line),
           [&](double a, double b)
           {

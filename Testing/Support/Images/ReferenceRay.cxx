@@ -33,7 +33,7 @@ PixelRays::PixelRays(vtkCamera* camera, const std::array<int, 2>& size)
   }
 }
 
-Vector PixelRays::EyePoint(Real x, Real y, Real depth) const
+Vector PixelRays::GetPointAtDepth(Real x, Real y, Real depth) const
 {
   // For a given z, rows 0, 1 and 3 of the projection matrix give linear equations for x and y.
   const auto& m = this->Matrix;
@@ -52,8 +52,8 @@ Ray PixelRays::Get(int i, int j) const
   constexpr Real pixelOffset[2] = { 1.4e-9L, 0.6e-9L };
   const Real x = (2 * i + 1 + pixelOffset[0]) / static_cast<Real>(this->Size[0]) - 1;
   const Real y = (2 * j + 1 + pixelOffset[1]) / static_cast<Real>(this->Size[1]) - 1;
-  const Vector begin = this->EyePoint(x, y, 0);
-  const Vector end = this->EyePoint(x, y, 1);
+  const Vector begin = this->GetPointAtDepth(x, y, 0);
+  const Vector end = this->GetPointAtDepth(x, y, 1);
   Ray ray = { this->Position, { 0, 0, 0 }, 0 };
   for (const auto& [axis, k] : AllIndices(3, 3))
   {

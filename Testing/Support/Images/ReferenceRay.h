@@ -60,7 +60,7 @@ private:
   Vector ToEye(const Vector& point) const;
   /// Returns the point, in view coordinates, at \a depth on the ray through (x, y) in normalized
   /// device coordinates.
-  Vector EyePoint(Real x, Real y, Real depth) const;
+  Vector GetPointAtDepth(Real x, Real y, Real depth) const;
 
   std::array<int, 2> Size;
   Vector Position;

@@ -17,7 +17,7 @@ Double3 GetOpticalDepth(const ReferenceMedium& medium, const Double3& world,
   {
     return depth;
   }
-  ReferenceImage::Walk(line, begin, end, medium.GetCuts(line),
+  ImageInterpolator::Walk(line, begin, end, medium.GetCuts(line),
     [&](double a, double b)
     {
       const double length = (b - a) / refinement;

@@ -137,7 +137,7 @@ private:
   Light IntegrateCrossing(const Crossing& crossing) const
   {
     const auto length = static_cast<double>(crossing.Exit - crossing.Entry);
-    std::vector<StraightPart> parts;
+    std::vector<LinearPart> parts;
     if (this->Settings.Mode == Integration::AverageColor)
     {
       parts.push_back(this->Material.GetMeanPart(crossing.AtEntry, crossing.AtExit, length));
@@ -147,7 +147,7 @@ private:
       this->Material.AppendParts(crossing.AtEntry, crossing.AtExit, length, parts);
     }
     Light light;
-    for (const StraightPart& part : parts)
+    for (const LinearPart& part : parts)
     {
       light.AddBehind(Integrate(part));
     }

@@ -123,7 +123,7 @@ vtkSmartPointer<vtkCamera> LookAt(
   return LookAt(midpoint, radius, direction, parallel);
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeSoftProperty(double opacity, bool shade)
+vtkSmartPointer<vtkVolumeProperty> MakeTranslucentProperty(double opacity, bool shade)
 {
   auto property = MakeProperty(
     { { 0.0, { { 0.2, 0.3, 0.9 } }, 0.0 }, { 1.0, { { 0.9, 0.7, 0.4 } }, opacity } }, 0.1);

@@ -46,7 +46,7 @@ vtkSmartPointer<vtkCamera> LookAt(
 /// Returns a property for scalars in [0, 1], with a color ramp. The opacity over a distance of 0.1
 /// rises linearly from 0 to \a opacity. The ambient, diffuse and specular coefficients are 0.15,
 /// 0.8 and 0.3.
-vtkSmartPointer<vtkVolumeProperty> MakeSoftProperty(double opacity, bool shade);
+vtkSmartPointer<vtkVolumeProperty> MakeTranslucentProperty(double opacity, bool shade);
 
 /// Returns a scene with the image, light along (1, -1, -1) and a perspective view along (-0.3,
 /// -0.4, -1), rendered at 64 x 64 pixels.

@@ -2,7 +2,7 @@
 #ifndef ShadowScene_h
 #define ShadowScene_h
 
-#include "Support/Images/ReferenceImage.h" // for the array
+#include "Support/Images/ImageInterpolator.h" // for the array
 
 // Copying the smart pointers of a scene requires complete types.
 #include "vtkActor.h"

@@ -36,7 +36,7 @@ inline void SetDepthBits(void*, int) {}
 /// Sets a 24-bit depth buffer. With multisampling, VTK's depth peeling copies depth through a
 /// 24-bit buffer, which OpenGL only allows between equal formats. Since VTK 9.4, windows have a
 /// 32-bit depth buffer by default.
-inline void AllowPeelingOfSamples(vtkRenderWindow* window)
+inline void AllowMultisampledDepthPeeling(vtkRenderWindow* window)
 {
   SetDepthBits(vtkOpenGLRenderWindow::SafeDownCast(window), 24);
 }

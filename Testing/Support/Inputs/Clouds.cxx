@@ -148,7 +148,7 @@ vtkSmartPointer<vtkImageData> SampleDensity(
   return volume->GetOutput();
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeCloudMedium(double extinction)
+vtkSmartPointer<vtkVolumeProperty> MakeCloudProperty(double extinction)
 {
   // The extinction per unit distance is -ln(1 - opacity). Up to an opacity of 0.02, it is
   // proportional to the opacity within 1 %.

@@ -42,7 +42,7 @@ vtkSmartPointer<vtkImageData> SampleDensity(
 
 /// Returns a white, unshaded medium whose extinction per unit length is proportional to the density
 /// and equals \a extinction at density 1.
-vtkSmartPointer<vtkVolumeProperty> MakeCloudMedium(double extinction);
+vtkSmartPointer<vtkVolumeProperty> MakeCloudProperty(double extinction);
 
 }
 

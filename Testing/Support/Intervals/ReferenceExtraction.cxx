@@ -33,7 +33,7 @@ Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& inter
   {
     filter->SetInterval(static_cast<int>(i), intervals[i][0], intervals[i][1]);
   }
-  UpdateWatched(filter);
+  UpdateAndCheckWarnings(filter);
   return { GetGrid(filter, 0), GetGrid(filter, 1), filter->GetReport() };
 }
 
@@ -47,7 +47,7 @@ ContourExtraction ExtractContours(vtkDataSet* data, const std::vector<double>& v
   {
     filter->SetValue(static_cast<int>(i), values[i]);
   }
-  UpdateWatched(filter);
+  UpdateAndCheckWarnings(filter);
   return { GetGrid(filter, 0), filter->GetReport() };
 }
 

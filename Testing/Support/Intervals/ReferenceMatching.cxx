@@ -536,7 +536,7 @@ private:
 
 }
 
-const std::vector<std::string>& GetTiedVolumes()
+const std::vector<std::string>& GetTiedVolumeFileNames()
 {
   static const std::vector<std::string> files = { "bonsai.vti", "brainsmall.vti", "ironProt.vtk",
     "neghip.vti", "tooth.vti" };
@@ -629,7 +629,7 @@ void CheckMatchingContour(vtkDataSet* data, double value, Check& check)
   };
   const auto contour = ExtractContours(data, { value }).Surface;
   const std::vector<Triangle> triangles = TrianglesOf(contour);
-  const auto uses = CountUses(Oriented(triangles));
+  const auto uses = CountUses(ToOrientedSimplices(triangles));
   check.Equal(static_cast<long long>(triangles.size() - uses.size()), 0,
     name + "triangles that occur more than once");
   const auto edges = CountUses(EdgesOf(triangles));

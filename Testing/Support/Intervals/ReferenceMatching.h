@@ -21,7 +21,7 @@ namespace reference
 {
 
 /// Returns the file names of the 8-bit volumes in Data/, in which many scalars equal a bound.
-const std::vector<std::string>& GetTiedVolumes();
+const std::vector<std::string>& GetTiedVolumeFileNames();
 
 /// Returns the block of points^3 points at the center of a volume, shifted by \a shift points along
 /// x. The scalars are named "f".

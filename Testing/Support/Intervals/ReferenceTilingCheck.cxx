@@ -125,8 +125,9 @@ private:
   /// have.
   void CheckShared(int i)
   {
-    const auto upper = CountUses(Oriented(BoundaryOf(this->Surface, i, 1)));
-    const auto lower = CountUses(Oriented(Reversed(BoundaryOf(this->Surface, i + 1, 0))));
+    const auto upper = CountUses(ToOrientedSimplices(BoundaryOf(this->Surface, i, 1)));
+    const auto lower =
+      CountUses(ToOrientedSimplices(Reversed(BoundaryOf(this->Surface, i + 1, 0))));
     long long unmatched = 0;
     for (const FaceUse& remaining : NetDifference(upper, lower))
     {
@@ -210,7 +211,7 @@ private:
     const std::vector<Triangle>& triangles, const std::string& name)
   {
     const std::vector<FaceUse> faces = CountUses(FacesOf(tetrahedra));
-    const std::vector<FaceUse> sides = CountUses(Oriented(triangles));
+    const std::vector<FaceUse> sides = CountUses(ToOrientedSimplices(triangles));
     long long overused = 0;
     for (const FaceUse& face : faces)
     {

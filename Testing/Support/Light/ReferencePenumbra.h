@@ -54,7 +54,7 @@ struct ReferencePenumbra
   }
 
   /// Like GetRamp(), for a disk light: the relative area of a circular segment.
-  static double GetSegment(double x, double width)
+  static double GetDiskLightFraction(double x, double width)
   {
     return GetDiskFraction(2.0 * x / width, { 1.0, 0.0 });
   }

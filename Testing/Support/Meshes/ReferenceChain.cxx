@@ -21,7 +21,7 @@ std::vector<OrientedSimplex<3>> FacesOf(const std::vector<Tetrahedron>& tetrahed
   return faces;
 }
 
-std::vector<OrientedSimplex<3>> Oriented(const std::vector<Triangle>& triangles)
+std::vector<OrientedSimplex<3>> ToOrientedSimplices(const std::vector<Triangle>& triangles)
 {
   return { triangles.begin(), triangles.end() };
 }

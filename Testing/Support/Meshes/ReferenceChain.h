@@ -81,7 +81,7 @@ using Tetrahedron = std::array<vtkIdType, 4>;
 /// Returns the faces of tetrahedra, oriented so that their normals point outward.
 std::vector<OrientedSimplex<3>> FacesOf(const std::vector<Tetrahedron>& tetrahedra);
 /// Return triangles as oriented simplices, and the oriented edges of triangles.
-std::vector<OrientedSimplex<3>> Oriented(const std::vector<Triangle>& triangles);
+std::vector<OrientedSimplex<3>> ToOrientedSimplices(const std::vector<Triangle>& triangles);
 std::vector<OrientedSimplex<2>> EdgesOf(const std::vector<Triangle>& triangles);
 
 /// Returns whether the triangles around every point form one disk or half-disk. If every edge is

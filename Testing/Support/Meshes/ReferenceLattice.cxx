@@ -53,7 +53,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const std::array<int, 3>& cells)
   return image;
 }
 
-std::vector<LatticeForm> FormsOf(vtkImageData* image)
+std::vector<DataSetVariant> FormsOf(vtkImageData* image)
 {
   int dimensions[3];
   image->GetDimensions(dimensions);
@@ -68,7 +68,7 @@ std::vector<LatticeForm> FormsOf(vtkImageData* image)
   structured->SetDimensions(dimensions);
   structured->SetPoints(points);
 
-  std::vector<LatticeForm> forms = { { "image", image }, { "structured", structured } };
+  std::vector<DataSetVariant> forms = { { "image", image }, { "structured", structured } };
   if (image->GetDirectionMatrix()->IsIdentity())
   {
     forms.push_back({ "rectilinear", MakeRectilinear(image) });

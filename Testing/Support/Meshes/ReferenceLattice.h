@@ -6,7 +6,7 @@
 
 #include <array>  // for the dimensions
 #include <string> // for names
-#include <vector> // for LatticeForm
+#include <vector> // for DataSetVariant
 
 class vtkDataSet;
 class vtkImageData;
@@ -18,7 +18,7 @@ namespace reference
 /// binary representation.
 vtkSmartPointer<vtkImageData> MakeImage(const std::array<int, 3>& cells);
 
-struct LatticeForm
+struct DataSetVariant
 {
   std::string Name;
   vtkSmartPointer<vtkDataSet> Data;
@@ -27,7 +27,7 @@ struct LatticeForm
 /// Returns the image and its conversions to a structured grid, a rectilinear grid (if the image is
 /// not rotated), unstructured hexahedra and unstructured voxels. All have the same points, cells
 /// and arrays in the same order.
-std::vector<LatticeForm> FormsOf(vtkImageData* image);
+std::vector<DataSetVariant> FormsOf(vtkImageData* image);
 
 }
 

@@ -280,7 +280,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeConcaveMesh(
   return mesh;
 }
 
-vtkSmartPointer<vtkPolyData> MakeBoxes()
+vtkSmartPointer<vtkPolyData> MakeEmptySurface()
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -312,9 +312,9 @@ void AppendBox(vtkPolyData* surface, const std::array<double, 3>& low,
   }
 }
 
-vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels)
+vtkSmartPointer<vtkPolyData> MakeGeodesicSphere(int levels)
 {
-  auto surface = MakeBoxes();
+  auto surface = MakeEmptySurface();
   const auto addPoint = [&surface](double x, double y, double z)
   {
     const double length = std::sqrt(x * x + y * y + z * z);
@@ -381,7 +381,7 @@ vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels)
 
 vtkSmartPointer<vtkPolyData> MakeTorus(int around, int across)
 {
-  auto surface = MakeBoxes();
+  auto surface = MakeEmptySurface();
   const double pi = std::acos(-1.0);
   for (const auto& [i, j] : AllIndices(around, across))
   {

@@ -57,11 +57,11 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeConcaveMesh(
 /// inward, the normals point inward.
 void AppendBox(vtkPolyData* surface, const std::array<double, 3>& low,
   const std::array<double, 3>& high, bool inward = false);
-vtkSmartPointer<vtkPolyData> MakeBoxes();
+vtkSmartPointer<vtkPolyData> MakeEmptySurface();
 
 /// Returns a sphere of radius 1: an icosahedron in which each triangle is split into four, \a
 /// levels times.
-vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels);
+vtkSmartPointer<vtkPolyData> MakeGeodesicSphere(int levels);
 
 /// Returns a torus around the z-axis with radii 1 and 0.4, made of 2 * \a around * \a across
 /// triangles with outward normals.

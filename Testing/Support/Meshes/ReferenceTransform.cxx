@@ -130,7 +130,8 @@ vtkSmartPointer<vtkUnstructuredGrid> ChangeCells(
 
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> TurnCells(vtkUnstructuredGrid* mesh, unsigned int seed)
+vtkSmartPointer<vtkUnstructuredGrid> RotateCellPointOrder(
+  vtkUnstructuredGrid* mesh, unsigned int seed)
 {
   std::mt19937 random(seed);
   return ChangeCells(mesh, mesh->GetPoints(),

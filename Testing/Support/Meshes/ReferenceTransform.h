@@ -15,7 +15,8 @@ namespace reference
 
 /// Applies a random rotation to the order of the points of each cell. Shuffles the faces of
 /// polyhedra. Voxels remain unchanged, since their points have only one valid order.
-vtkSmartPointer<vtkUnstructuredGrid> TurnCells(vtkUnstructuredGrid* mesh, unsigned int seed);
+vtkSmartPointer<vtkUnstructuredGrid> RotateCellPointOrder(
+  vtkUnstructuredGrid* mesh, unsigned int seed);
 
 /// Mirrors the order of the points of each cell, so that its volume becomes negative. Voxels remain
 /// unchanged, and so do polyhedra, whose orientation is defined by their faces.

@@ -64,7 +64,7 @@ void AppendFive(interlume::TetrahedraMesh& mesh, const std::uint32_t* cube, bool
 }
 }
 
-interlume::TetrahedraMesh MakeCubes(const CubeMesh& form)
+interlume::TetrahedraMesh MakeCubeMesh(const CubeMeshSettings& form)
 {
   const int n = form.Cubes;
   interlume::TetrahedraMesh mesh;
@@ -197,7 +197,7 @@ interlume::TetrahedraMesh MakeDelaunay(int points, unsigned int seed)
   return mesh;
 }
 
-interlume::TetrahedraMesh Separate(const interlume::TetrahedraMesh& mesh)
+interlume::TetrahedraMesh SeparateTetrahedra(const interlume::TetrahedraMesh& mesh)
 {
   interlume::TetrahedraMesh separate;
   for (const std::uint32_t corner : mesh.Corners)

@@ -12,7 +12,7 @@ namespace reference
 {
 
 /// Settings of a tetrahedral mesh that is built from a grid of cubes.
-struct CubeMesh
+struct CubeMeshSettings
 {
   /// Number of cubes along each edge of [-0.5, 0.5]^3.
   int Cubes = 8;
@@ -25,7 +25,7 @@ struct CubeMesh
   std::function<bool(const std::array<double, 3>&)> IsIn;
 };
 
-interlume::TetrahedraMesh MakeCubes(const CubeMesh& form);
+interlume::TetrahedraMesh MakeCubeMesh(const CubeMeshSettings& form);
 
 /// Moves each point inside [-0.5, 0.5]^3 \a rounds times, by up to \a reach along each axis. Moves
 /// that invert a tetrahedron are undone. The result is a valid mesh with long, thin tetrahedra.
@@ -36,7 +36,7 @@ void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned
 interlume::TetrahedraMesh MakeDelaunay(int points, unsigned int seed);
 
 /// Returns a copy of \a mesh in which tetrahedra do not share points.
-interlume::TetrahedraMesh Separate(const interlume::TetrahedraMesh& mesh);
+interlume::TetrahedraMesh SeparateTetrahedra(const interlume::TetrahedraMesh& mesh);
 /// Appends a tetrahedron with four new points. Returns its index.
 std::uint32_t Append(
   interlume::TetrahedraMesh& mesh, const std::array<std::array<double, 3>, 4>& corners);

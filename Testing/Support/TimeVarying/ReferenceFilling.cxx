@@ -122,7 +122,7 @@ private:
   {
     const long double domain = DomainHypervolume(this->Steps);
     const HypervolumeSum simplices = MeasureSimplices(this->Found.Simplices);
-    const HypervolumeSum weighted = MeasureWeighted(this->Found.Tetrahedra);
+    const HypervolumeSum weighted = MeasureWeightedTetrahedra(this->Found.Tetrahedra);
     this->Test.Near(static_cast<double>(simplices.Sum), static_cast<double>(domain),
       VolumeTolerance, "sum of the hypervolumes");
     this->Test.Near(static_cast<double>(weighted.Sum), static_cast<double>(domain), VolumeTolerance,

@@ -215,7 +215,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SliceAt(vtkUnstructuredGrid* simplices, dou
   vtkNew<vtkSimplexTimeSlice> filter;
   filter->SetInputData(simplices);
   filter->SetTime(t);
-  UpdateWatched(filter);
+  UpdateAndCheckWarnings(filter);
   return filter->GetOutput();
 }
 

@@ -168,7 +168,7 @@ HypervolumeSum MeasureSimplices(vtkUnstructuredGrid* grid, int interval, int sla
   return sum;
 }
 
-HypervolumeSum MeasureWeighted(vtkUnstructuredGrid* grid, int interval, int slab)
+HypervolumeSum MeasureWeightedTetrahedra(vtkUnstructuredGrid* grid, int interval, int slab)
 {
   HypervolumeSum sum;
   for (const WeightedTetrahedron& tetrahedron : WeightedTetrahedraOf(grid, interval, slab))

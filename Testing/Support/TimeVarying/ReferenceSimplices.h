@@ -43,7 +43,8 @@ struct HypervolumeSum
 };
 HypervolumeSum MeasureSimplices(vtkUnstructuredGrid* grid, int interval = Any, int slab = Any);
 /// Sums each tetrahedron's volume times the mean of DeltaT over its points.
-HypervolumeSum MeasureWeighted(vtkUnstructuredGrid* grid, int interval = Any, int slab = Any);
+HypervolumeSum MeasureWeightedTetrahedra(
+  vtkUnstructuredGrid* grid, int interval = Any, int slab = Any);
 
 /// Returns the cells of port 1 with the given interval and boundary kind. N is 3 for triangles and
 /// 4 for tetrahedra.

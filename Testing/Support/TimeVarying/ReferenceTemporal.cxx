@@ -48,40 +48,40 @@ vtkSmartPointer<vtkDataObject> Copy(vtkDataObject* data)
 
 }
 
-vtkStandardNewMacro(TemporalGrids);
+vtkStandardNewMacro(TimeStepSource);
 
-TemporalGrids::TemporalGrids()
+TimeStepSource::TimeStepSource()
   : Alive(std::make_shared<Population>())
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(1);
 }
 
-void TemporalGrids::SetSteps(const TimeSteps& steps)
+void TimeStepSource::SetSteps(const TimeSteps& steps)
 {
   this->Steps = steps;
   this->Alive = std::make_shared<Population>();
   this->Modified();
 }
 
-void TemporalGrids::SetReportsTimes(bool isReported)
+void TimeStepSource::SetReportTimeSteps(bool isReported)
 {
   this->ReportsTimes = isReported;
   this->Modified();
 }
 
-int TemporalGrids::GetMaximumAlive() const
+int TimeStepSource::GetMaximumStepsInMemory() const
 {
   return this->Alive->Maximum;
 }
 
-int TemporalGrids::FillOutputPortInformation(int, vtkInformation* info)
+int TimeStepSource::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
   return 1;
 }
 
-vtkTypeBool TemporalGrids::ProcessRequest(
+vtkTypeBool TimeStepSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkInformation* info = output->GetInformationObject(0);
@@ -110,7 +110,7 @@ vtkTypeBool TemporalGrids::ProcessRequest(
   return this->Superclass::ProcessRequest(request, input, output);
 }
 
-void TemporalGrids::ReportInformation(vtkInformation* info)
+void TimeStepSource::ReportInformation(vtkInformation* info)
 {
   vtkDataObject* first = this->Steps.front().Data;
   if (first->GetExtentType() == VTK_3D_EXTENT)
@@ -139,7 +139,7 @@ void TemporalGrids::ReportInformation(vtkInformation* info)
   info->Set(Pipeline::TIME_RANGE(), range, 2);
 }
 
-int TemporalGrids::FindStep(vtkInformation* info) const
+int TimeStepSource::FindStep(vtkInformation* info) const
 {
   int found = 0;
   if (info->Has(Pipeline::UPDATE_TIME_STEP()))
@@ -153,7 +153,7 @@ int TemporalGrids::FindStep(vtkInformation* info) const
   return found;
 }
 
-void TemporalGrids::ReturnStep(vtkInformation* info)
+void TimeStepSource::ReturnStep(vtkInformation* info)
 {
   const int step = this->FindStep(info);
   this->Requests.push_back(step);
@@ -165,7 +165,7 @@ void TemporalGrids::ReturnStep(vtkInformation* info)
   info->Set(vtkDataObject::DATA_OBJECT(), data);
 }
 
-void TemporalGrids::Count(vtkDataObject* data)
+void TimeStepSource::Count(vtkDataObject* data)
 {
   vtkDataSet* first = FirstDataSet(data);
   vtkDataArray* watched = first ? first->GetPointData()->GetArray(0) : nullptr;

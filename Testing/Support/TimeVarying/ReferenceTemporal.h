@@ -13,7 +13,7 @@ namespace reference
 {
 
 /**
- * @class   TemporalGrids
+ * @class   TimeStepSource
  * @brief   temporal source that returns given time steps
  *
  * Returns the last step whose time is not after the requested time, or the first step if there is
@@ -21,33 +21,33 @@ namespace reference
  * is counted until the first point array of its first dataset is deleted, which happens when the
  * copy's data is no longer referenced.
  */
-class TemporalGrids : public vtkAlgorithm
+class TimeStepSource : public vtkAlgorithm
 {
 public:
-  static TemporalGrids* New();
-  vtkTypeMacro(TemporalGrids, vtkAlgorithm);
+  static TimeStepSource* New();
+  vtkTypeMacro(TimeStepSource, vtkAlgorithm);
 
   /// Sets the steps, whose data may be of any type. Their times are reported in the given order,
   /// even if it is not increasing.
   void SetSteps(const TimeSteps& steps);
   /// Sets whether TIME_STEPS is reported. Default: true.
-  void SetReportsTimes(bool isReported);
+  void SetReportTimeSteps(bool isReported);
 
   /// Returns the index of the step returned by each request, in order of the requests.
   const std::vector<int>& GetRequests() const { return this->Requests; }
   void ClearRequests() { this->Requests.clear(); }
   /// Returns the maximum number of steps in memory at the same time since SetSteps().
-  int GetMaximumAlive() const;
+  int GetMaximumStepsInMemory() const;
 
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  TemporalGrids(const TemporalGrids&) = delete;
-  void operator=(const TemporalGrids&) = delete;
+  TimeStepSource(const TimeStepSource&) = delete;
+  void operator=(const TimeStepSource&) = delete;
 
 protected:
-  TemporalGrids();
-  ~TemporalGrids() override = default;
+  TimeStepSource();
+  ~TimeStepSource() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 

@@ -139,7 +139,7 @@ void Stretch(std::array<double, 3>& x, double time)
   x[2] = x[2] * (1 + 0.07 * time);
 }
 
-void MoveInside(const TimeSteps& steps, double reach, unsigned int seed)
+void PerturbInteriorPoints(const TimeSteps& steps, double reach, unsigned int seed)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> amount(-reach, reach);
@@ -172,10 +172,10 @@ void MoveInside(const TimeSteps& steps, double reach, unsigned int seed)
   }
 }
 
-std::vector<SpaceTimeGrid> AllSpaceTimeGrids(const std::array<int, 3>& cells, unsigned int seed)
+std::vector<NamedGrid> MakeAllGridTypes(const std::array<int, 3>& cells, unsigned int seed)
 {
-  std::vector<SpaceTimeGrid> grids;
-  for (const LatticeForm& form : FormsOf(MakeImage(cells)))
+  std::vector<NamedGrid> grids;
+  for (const DataSetVariant& form : FormsOf(MakeImage(cells)))
   {
     if (!vtkUnstructuredGrid::SafeDownCast(form.Data))
     {
@@ -184,8 +184,8 @@ std::vector<SpaceTimeGrid> AllSpaceTimeGrids(const std::array<int, 3>& cells, un
   }
   for (MeshKind kind : AllMeshKinds())
   {
-    grids.push_back(
-      { GetName(kind), RenumberPoints(TurnCells(MakeMesh(kind, cells, seed), seed), seed) });
+    grids.push_back({ GetName(kind),
+      RenumberPoints(RotateCellPointOrder(MakeMesh(kind, cells, seed), seed), seed) });
   }
   return grids;
 }

@@ -63,9 +63,9 @@ void Stretch(std::array<double, 3>& x, double time);
 
 /// In each step, moves the points that are not on the bounding box by independent random amounts of
 /// up to \a reach along each axis. Throws std::invalid_argument if there are no such points.
-void MoveInside(const TimeSteps& steps, double reach, unsigned int seed);
+void PerturbInteriorPoints(const TimeSteps& steps, double reach, unsigned int seed);
 
-struct SpaceTimeGrid
+struct NamedGrid
 {
   std::string Name;
   vtkSmartPointer<vtkDataSet> Data;
@@ -75,7 +75,7 @@ struct SpaceTimeGrid
 /// AllMeshKinds(), with a randomly rotated point order in each cell and random point ids.
 /// MovePoints() supports all grids except the image and the rectilinear grid. Every domain is a
 /// box, except those of MeshKind::Honeycomb and MeshKind::Kelvin.
-std::vector<SpaceTimeGrid> AllSpaceTimeGrids(const std::array<int, 3>& cells, unsigned int seed);
+std::vector<NamedGrid> MakeAllGridTypes(const std::array<int, 3>& cells, unsigned int seed);
 
 bool IsTetrahedral(vtkDataSet* data);
 

@@ -31,7 +31,7 @@ void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* fi
 /// A source of time steps, connected to the filter under test.
 struct TimeVaryingPipeline
 {
-  vtkNew<TemporalGrids> Source;
+  vtkNew<TimeStepSource> Source;
   vtkNew<vtkTimeVaryingIntervalVolume> Filter;
 
   TimeVaryingPipeline(const TimeSteps& steps, const TimeVaryingSettings& settings);

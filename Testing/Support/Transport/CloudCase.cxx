@@ -16,7 +16,7 @@ ShadowScene MakeCloudCase(int cells, int pixels)
   ShadowScene scene;
   scene.Image = interlume::SampleDensity(
     interlume::MakeClouds({ cloud }), { { -0.7, 0.7, -0.6, 0.6, -0.15, 0.95 } }, cells);
-  scene.Property = interlume::MakeCloudMedium(30.0);
+  scene.Property = interlume::MakeCloudProperty(30.0);
   scene.Lights = { MakeDirectionalLight({ { 0.6, -0.5, -0.6 } }) };
   scene.Lights.front()->SetIntensity(1.0);
   scene.Camera = LookAt(scene.Image, { { 0.1, 1.0, -0.1 } }, false);

@@ -51,7 +51,7 @@ std::array<double, 4> Follow(const TransportMedium& medium, TransportRay ray,
   {
     ray.Origin = ray.At(distance);
     weight *= medium.GetAlbedo(ray.Origin);
-    if (!TransportFlight::Survives(weight, random))
+    if (!TransportFlight::ApplyRussianRoulette(weight, random))
     {
       break;
     }

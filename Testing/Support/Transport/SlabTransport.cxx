@@ -99,7 +99,7 @@ public:
     for (;;)
     {
       weight *= this->Settings.Albedo;
-      if (!TransportFlight::Survives(weight, random))
+      if (!TransportFlight::ApplyRussianRoulette(weight, random))
       {
         score.Control += ray.Origin.z + g * ray.Direction.z * this->Reach;
         return score;

@@ -51,12 +51,12 @@ double TransportFlight::EstimateTransmittance(
         }
         transmittance *= (range.Largest - medium.GetExtinction(ray.At(a))) / rest;
       }
-      return Survives(transmittance, random);
+      return ApplyRussianRoulette(transmittance, random);
     });
   return transmittance.x;
 }
 
-bool TransportFlight::Survives(glm::dvec3& weight, TransportRandom& random)
+bool TransportFlight::ApplyRussianRoulette(glm::dvec3& weight, TransportRandom& random)
 {
   constexpr double threshold = 0.1;
   const double largest = std::max({ weight.x, weight.y, weight.z });

@@ -34,7 +34,7 @@ double EstimateTransmittance(
  * Applies Russian roulette to a path if its weight is small. Returns false if the path ends,
  * otherwise scales \a weight to compensate for terminated paths.
  */
-bool Survives(glm::dvec3& weight, TransportRandom& random);
+bool ApplyRussianRoulette(glm::dvec3& weight, TransportRandom& random);
 }
 
 }

@@ -34,7 +34,7 @@ std::string SizesOf(const BenchRow& row)
 }
 }
 
-Clock ClockOf(vtkRenderWindow* window)
+Clock SelectClock(vtkRenderWindow* window)
 {
   auto* opened = vtkOpenGLRenderWindow::SafeDownCast(window);
   return opened && interlume::SoftwareOpenGL::IsUsed(opened) ? Clock::Processor : Clock::Wall;
@@ -116,7 +116,7 @@ BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<
   claim.Text = "the default at most 1.1 times the time of what has no larger error";
   for (const Family& family : families)
   {
-    if (const auto over = GetCostOverFront(MakePlot(family.Query, rows)))
+    if (const auto over = GetCostRelativeToFront(MakePlot(family.Query, rows)))
     {
       claim.Cases.push_back({ family.Query.Name, *over, *over <= FrontTolerance });
     }

@@ -49,7 +49,7 @@ enum class Clock
 
 /// Returns Processor if OpenGL renders in software, with threads of this process. Returns Wall if a
 /// graphics card renders.
-Clock ClockOf(vtkRenderWindow* window);
+Clock SelectClock(vtkRenderWindow* window);
 
 /**
  * Alternative methods for one task. They are timed alternately and then compared with a reference.

@@ -123,14 +123,14 @@ void AddCriticalPointRows(const Question& question, const BenchOptions& options,
     auto own = vtkSmartPointer<vtkFlowCriticalPoints>::New();
     own->SetInputData(image);
     trials.Add("vtkFlowCriticalPoints", NumberText(points),
-      points == sizes.back() ? Maker::Default : Maker::Own, WithThreads(1, Again(own)),
+      points == sizes.back() ? Maker::Default : Maker::Own, WithThreads(1, MakeRerunWork(own)),
       [own]() { return MeasureZeros(own->GetOutput()); });
     auto baseline = vtkSmartPointer<vtkVectorFieldTopology>::New();
     baseline->SetInputData(image);
     // Separatrices are not compared. They cannot be switched off, so they are limited to one step.
     baseline->SetMaxNumSteps(1);
     trials.Add("vtkVectorFieldTopology", NumberText(points), Maker::Baseline,
-      WithThreads(1, Again(baseline)),
+      WithThreads(1, MakeRerunWork(baseline)),
       [baseline]()
       { return MeasureZeros(vtkPolyData::SafeDownCast(baseline->GetOutputDataObject(0))); });
   }
@@ -201,7 +201,8 @@ void AddVortexAxisRows(const Question& question, const BenchOptions& options, Be
       filter->SetNumberOfPlanes(planes);
       trials.Add(planes == 0 ? "a plane for each layer" : "five planes", NumberText(points),
         planes == 0 && points == sizes.back() ? Maker::Default : Maker::Own,
-        WithThreads(1, Again(filter)), [filter]() { return MeasureAxis(filter->GetOutput()); });
+        WithThreads(1, MakeRerunWork(filter)),
+        [filter]() { return MeasureAxis(filter->GetOutput()); });
     }
   }
   trials.Run(question, options, rows);
@@ -291,7 +292,7 @@ void AddStreamSurfaceRows(const Question& question, const BenchOptions& options,
     surfaces.push_back(std::make_unique<RoundSurface>(flow, resolution));
     const auto filter = surfaces.back()->Parameters;
     trials.Add("vtkStreamSurfaceParameters", NumberText(resolution),
-      resolution == usual ? Maker::Default : Maker::Own, WithThreads(1, Again(filter)),
+      resolution == usual ? Maker::Default : Maker::Own, WithThreads(1, MakeRerunWork(filter)),
       [filter]() { return MeasureArcs(filter->GetOutput()); });
   }
   trials.Run(question, options, rows);

@@ -152,7 +152,8 @@ void AddStepRows(const Question& question, const BenchOptions& options, BenchRow
       auto filter = NewFilter(field, positions, kernel, step);
       trials.Add(kernel == vtkFlowLIC::HANN ? "Hann" : "box", NumberText(step),
         kernel == vtkFlowLIC::HANN && step == DefaultStep ? Maker::Default : Maker::Own,
-        WithThreads(1, Again(filter)), [filter, means]() { return MeasureMeans(filter, *means); });
+        WithThreads(1, MakeRerunWork(filter)),
+        [filter, means]() { return MeasureMeans(filter, *means); });
     }
   }
   trials.Run(question, options, rows);

@@ -122,7 +122,7 @@ void Measure(const std::vector<std::string>& names, const gallery::CostSettings&
 {
   BenchOptions options;
   options.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  BenchResults results = BenchResults::Here(options);
+  BenchResults results = BenchResults::MakeForThisMachine(options);
   std::ostringstream command;
   command << "interlume-bench-costs --width " << settings.Width << " --height " << settings.Height
           << " --pairs " << settings.Pairs << " --limit " << settings.Limit;
@@ -203,7 +203,7 @@ int main(int argc, char* argv[])
       ReadAll(from).Write(json);
       return 0;
     }
-    const gallery::DisplayHold display;
+    const gallery::DisplayKeepAlive display;
     Measure(names, settings, json);
     return 0;
   }

@@ -41,7 +41,7 @@ BenchData ReadRealSet(const RealSet& set)
 {
   BenchData data;
   data.Case = set.Case;
-  data.Data = WithOneArray(interlume::ReadData(set.File), set.Array);
+  data.Data = CopyWithOneArray(interlume::ReadData(set.File), set.Array);
   data.Lower = set.Lower;
   data.Upper = set.Upper;
   return data;
@@ -79,7 +79,7 @@ const CellShape& ShapeOf(int cellType)
 }
 }
 
-vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name)
+vtkSmartPointer<vtkDataSet> CopyWithOneArray(vtkDataSet* from, const std::string& name)
 {
   vtkDataArray* array = from->GetPointData()->GetArray(name.c_str());
   if (!array)
@@ -114,7 +114,7 @@ BenchData MakeWavelet(int points)
   return data;
 }
 
-int WaveletPoints(const BenchOptions& options)
+int GetWaveletResolution(const BenchOptions& options)
 {
   return options.Pick(97, 41, 13);
 }
@@ -122,7 +122,7 @@ int WaveletPoints(const BenchOptions& options)
 std::vector<BenchData> MakeSpeedCases(const BenchOptions& options)
 {
   std::vector<BenchData> cases;
-  cases.push_back(MakeWavelet(WaveletPoints(options)));
+  cases.push_back(MakeWavelet(GetWaveletResolution(options)));
   for (const RealSet& set : RealSets)
   {
     if (options.Size == BenchOptions::TINY || (options.Size == BenchOptions::QUICK && !set.InQuick))
@@ -136,7 +136,7 @@ std::vector<BenchData> MakeSpeedCases(const BenchOptions& options)
 
 BenchData MakeSpeedCase(const std::string& name, const BenchOptions& options)
 {
-  const BenchData wavelet = MakeWavelet(WaveletPoints(options));
+  const BenchData wavelet = MakeWavelet(GetWaveletResolution(options));
   if (name == wavelet.Case)
   {
     return wavelet;

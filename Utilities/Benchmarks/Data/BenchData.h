@@ -30,7 +30,7 @@ struct BenchData
  * Returns the geometry and cells of \a from. The point array \a name becomes the scalars; other
  * arrays are omitted. Throws std::runtime_error if the array does not exist.
  */
-vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name);
+vtkSmartPointer<vtkDataSet> CopyWithOneArray(vtkDataSet* from, const std::string& name);
 
 constexpr double WaveletLower = 140.0;
 constexpr double WaveletUpper = 180.0;
@@ -48,7 +48,7 @@ BenchData MakeWavelet(int points);
 /**
  * Returns the number of points of the wavelet along each axis: 97, 41 or 13.
  */
-int WaveletPoints(const BenchOptions& options);
+int GetWaveletResolution(const BenchOptions& options);
 
 /**
  * Returns the cases of the suites interval and contour: the wavelet, and data files with images, a

@@ -16,7 +16,7 @@ StoredTimeSteps::StoredTimeSteps()
   this->SetNumberOfInputPorts(0);
 }
 
-void StoredTimeSteps::AddStepsOf(vtkAlgorithm* source)
+void StoredTimeSteps::AddStepsFrom(vtkAlgorithm* source)
 {
   source->UpdateInformation();
   vtkInformation* info = source->GetOutputInformation(0);

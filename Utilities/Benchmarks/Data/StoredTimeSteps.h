@@ -23,7 +23,7 @@ public:
   /**
    * Computes all time steps of \a source and adds them.
    */
-  void AddStepsOf(vtkAlgorithm* source);
+  void AddStepsFrom(vtkAlgorithm* source);
 
   /**
    * Adds a step. Steps must be of the same type and in ascending time order.
@@ -31,7 +31,7 @@ public:
   void AddStep(double time, vtkDataObject* data);
 
   int GetNumberOfSteps() const { return static_cast<int>(this->Times.size()); }
-  double GetTimeOf(int step) const { return this->Times[step]; }
+  double GetStepTime(int step) const { return this->Times[step]; }
   vtkDataObject* GetStep(int step) const { return this->Steps[step]; }
 
 protected:

@@ -58,7 +58,7 @@ void ExplicitFlowVolume::MakePatch()
 
 void ExplicitFlowVolume::Trace()
 {
-  const auto field = flow::NewInterpolation(flow::CellSearch::CLOSEST_POINT, this->Field);
+  const auto field = flow::NewInterpolator(flow::CellSearch::CLOSEST_POINT, this->Field);
   vtkDataArray* vectors = this->Field->GetPointData()->GetVectors();
   vtkNew<vtkRungeKutta4> integrator;
   integrator->SetFunctionSet(field);

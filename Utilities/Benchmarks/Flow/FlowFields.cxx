@@ -48,7 +48,7 @@ public:
       { { -face, face, -face, face, -face, face } }, true };
     if (!formula)
     {
-      this->Cases.push_back({ what, Reference::OfInterpolation(what), isStiff });
+      this->Cases.push_back({ what, Reference::FromInterpolatedField(what), isStiff });
       return;
     }
     const vtkSmartPointer<vtkAnalyticFlowSource> reused = source;

@@ -39,7 +39,7 @@ bool HasLeftBox(void* bounds, vtkPoints* points, vtkDataArray*, int)
 }
 }
 
-vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
+vtkSmartPointer<vtkImplicitFlowField> NewFlowField(
   const Case& what, int integrator, double tolerance)
 {
   vtkNew<vtkTerminationBox> box;
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   return filter;
 }
 
-MethodResult ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
+MethodResult GetFlowFieldResult(const Case& what, vtkImplicitFlowField* filter)
 {
   vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   vtkPointData* data = output->GetPointData();
@@ -92,7 +92,7 @@ MethodResult ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
   return result;
 }
 
-BenchSeconds RunOnce(vtkAlgorithm* filter)
+BenchSeconds TimeWithOneThread(vtkAlgorithm* filter)
 {
   return TimeOnce(WithThreads(1,
     [filter]()
@@ -114,7 +114,7 @@ vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSetting
   auto tracer = vtkSmartPointer<vtkStreamTracer>::New();
   tracer->SetInputData(what.Field);
   tracer->SetSourceData(what.Seeds);
-  tracer->SetInterpolatorPrototype(NewInterpolation(settings.Search));
+  tracer->SetInterpolatorPrototype(NewInterpolator(settings.Search));
   tracer->SetIntegrationDirectionToBackward();
   tracer->SetIntegratorType(settings.Integrator);
   tracer->SetIntegrationStepUnit(vtkStreamTracer::CELL_LENGTH_UNIT);
@@ -138,7 +138,7 @@ vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSetting
   return tracer;
 }
 
-BenchWork MakeTracing(const Case& what, const TracerSettings& settings)
+BenchWork MakeTracerWork(const Case& what, const TracerSettings& settings)
 {
   return [&what, settings]()
   {
@@ -148,7 +148,7 @@ BenchWork MakeTracing(const Case& what, const TracerSettings& settings)
   };
 }
 
-MethodResult ReadTracer(const Case& what, vtkStreamTracer* tracer)
+MethodResult GetTracerResult(const Case& what, vtkStreamTracer* tracer)
 {
   vtkPolyData* output = tracer->GetOutput();
   MethodResult result;

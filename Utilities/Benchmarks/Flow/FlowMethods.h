@@ -50,15 +50,15 @@ struct MethodResult
 
 /**
  * Returns a filter, not yet executed, that traces from the seeds to the box. \a tolerance is
- * MaximumError divided by the maximum speed of the field. ReadAdvection() returns the endpoints.
- * Their HasResult is true if the streamline reached the box.
+ * MaximumError divided by the maximum speed of the field. GetFlowFieldResult() returns the
+ * endpoints. Their HasResult is true if the streamline reached the box.
  */
-vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
+vtkSmartPointer<vtkImplicitFlowField> NewFlowField(
   const Case& what, int integrator, double tolerance);
-MethodResult ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
+MethodResult GetFlowFieldResult(const Case& what, vtkImplicitFlowField* filter);
 
 /// Updates the filter with one thread and returns the run time.
-BenchSeconds RunOnce(vtkAlgorithm* filter);
+BenchSeconds TimeWithOneThread(vtkAlgorithm* filter);
 
 /// Settings of vtkStreamTracer.
 struct TracerSettings
@@ -75,13 +75,13 @@ struct TracerSettings
 
 /**
  * Returns a filter, not yet executed, that traces from the seeds without computing vorticity. A
- * streamline stops when a step ends outside the box. ReadTracer() returns the last points inside
- * the box as endpoints. \a what must outlive the filter.
+ * streamline stops when a step ends outside the box. GetTracerResult() returns the last points
+ * inside the box as endpoints. \a what must outlive the filter.
  */
 vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings);
 /// Returns work that creates and executes a new tracer.
-BenchWork MakeTracing(const Case& what, const TracerSettings& settings);
-MethodResult ReadTracer(const Case& what, vtkStreamTracer* tracer);
+BenchWork MakeTracerWork(const Case& what, const TracerSettings& settings);
+MethodResult GetTracerResult(const Case& what, vtkStreamTracer* tracer);
 }
 
 #endif

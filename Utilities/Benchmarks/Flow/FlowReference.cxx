@@ -39,7 +39,7 @@ class InterpolatedFlow
 {
 public:
   explicit InterpolatedFlow(const Case& what)
-    : Interpolation(NewInterpolation(CellSearch::STATIC_CELL_LOCATOR, what.Field))
+    : Interpolation(NewInterpolator(CellSearch::STATIC_CELL_LOCATOR, what.Field))
   {
     this->LongestStep = 0.1 * std::sqrt(what.Field->GetCell(0)->GetLength2() / 3.0) /
       what.Field->GetPointData()->GetVectors()->GetMaxNorm();
@@ -97,7 +97,7 @@ Reference::Reference(
 {
 }
 
-Reference Reference::OfInterpolation(const Case& what)
+Reference Reference::FromInterpolatedField(const Case& what)
 {
   if (vtkImageData* image = vtkImageData::SafeDownCast(what.Field))
   {

@@ -44,7 +44,7 @@ public:
    * grids use Boost's Runge-Kutta-Fehlberg 7(8) in steps of at most a tenth of a cell with VTK's
    * interpolation, with an accuracy of about 1e-8.
    */
-  static Reference OfInterpolation(const Case& what);
+  static Reference FromInterpolatedField(const Case& what);
 
   /// Compares the result of every \a stride-th seed, if it reached the box. \a error is the error
   /// bound of Difference::Within in world units per unit of time. Throws std::runtime_error if a

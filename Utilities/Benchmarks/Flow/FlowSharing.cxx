@@ -76,8 +76,8 @@ struct Errors
 
 Errors FindErrors(const Case& what, vtkImplicitFlowField* all, vtkImplicitFlowField* some)
 {
-  const MethodResult exact = ReadAdvection(what, all);
-  const MethodResult found = ReadAdvection(what, some);
+  const MethodResult exact = GetFlowFieldResult(what, all);
+  const MethodResult found = GetFlowFieldResult(what, some);
   const double speed = some->GetReport()->GetNumber("MaximumSpeed");
   Errors errors;
   for (std::size_t i = 0; i < exact.Ends.size(); ++i)
@@ -112,21 +112,21 @@ Errors FindErrors(const Case& what, vtkImplicitFlowField* all, vtkImplicitFlowFi
 
 void AddRow(const Case& what, vtkImageData* samples, double tolerance, BenchRows& rows)
 {
-  const auto all = NewAdvection(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
-  const auto some = NewAdvection(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
+  const auto all = NewFlowField(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
+  const auto some = NewFlowField(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
   for (vtkImplicitFlowField* filter : { all.GetPointer(), some.GetPointer() })
   {
     filter->SetSampleData(samples);
     filter->StoreStepCountsOn();
   }
   some->InterpolateStreamlinesOn();
-  const std::vector<BenchSeconds> seconds =
-    MeasureAlternately({ WithThreads(1, Again(some)), WithThreads(1, Again(all)) }, 3);
+  const std::vector<BenchSeconds> seconds = MeasureAlternately(
+    { WithThreads(1, MakeRerunWork(some)), WithThreads(1, MakeRerunWork(all)) }, 3);
   vtkInterlumeReport* report = some->GetReport();
   const Errors errors = FindErrors(what, all, some);
   const double number = report->GetNumber("Samples");
   BenchRow row = rows.Make(what.Name, Shared, tolerance);
-  row.SetTimes(seconds[0].OfProcessor(), "all streamlines", seconds[1].OfProcessor());
+  row.SetTimes(seconds[0].GetProcessorTime(), "all streamlines", seconds[1].GetProcessorTime());
   row.Set({ { "samples", report->GetCount("Samples") },
     { "share", report->GetNumber("InterpolatedSamples") / number },
     { "median", errors.GetQuantile(0.5) }, { "q99", errors.GetQuantile(0.99) },

@@ -41,7 +41,7 @@ BenchWork MakeAdvection(const Case& what, double tolerance)
 {
   return [&what, tolerance]()
   {
-    const auto filter = NewAdvection(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
+    const auto filter = NewFlowField(what, vtkImplicitFlowField::AUTOMATIC, tolerance);
     filter->Update();
     return vtkSmartPointer<vtkObjectBase>(filter);
   };
@@ -62,7 +62,7 @@ public:
     : What(what)
     , Options(options)
     , Rows(rows)
-    , Exact(Reference::OfInterpolation(what))
+    , Exact(Reference::FromInterpolatedField(what))
     , Stride(std::max<vtkIdType>(1, what.Seeds->GetNumberOfPoints() / options.Pick(200, 20, 4)))
   {
   }
@@ -74,11 +74,11 @@ public:
       this->Options.Pick<std::vector<double>>({ 1e-2, 1e-4, DefaultTolerance, 1e-8, 1e-10 },
         { 1e-2, DefaultTolerance, 1e-10 }, { DefaultTolerance, 1e-9 }))
     {
-      const auto filter = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, tolerance);
+      const auto filter = NewFlowField(this->What, vtkImplicitFlowField::AUTOMATIC, tolerance);
       Trial trial;
       trial.Parameter = tolerance;
-      trial.Seconds = RunOnce(filter);
-      trial.Found = ReadAdvection(this->What, filter);
+      trial.Seconds = TimeWithOneThread(filter);
+      trial.Found = GetFlowFieldResult(this->What, filter);
       trial.Deviation = this->Exact.Compare(trial.Found, this->Stride);
       this->AddTrial(Advection, trial);
       if (tolerance == DefaultTolerance)
@@ -122,8 +122,8 @@ private:
     {
       const auto tracer = NewTracer(this->What, settings);
       trial.Parameter = settings.Parameter;
-      trial.Seconds = RunOnce(tracer);
-      trial.Found = ReadTracer(this->What, tracer);
+      trial.Seconds = TimeWithOneThread(tracer);
+      trial.Found = GetTracerResult(this->What, tracer);
       trial.Deviation = this->Exact.Compare(trial.Found, this->Stride);
       this->AddTrial(settings.GetName(), trial);
       if (trial.Deviation.Mean <= target)
@@ -149,8 +149,8 @@ private:
     }
     const std::vector<BenchSeconds> seconds =
       MeasureAlternately({ WithThreads(1, MakeAdvection(this->What, DefaultTolerance)),
-                           MakeTracing(this->What, settings), MakeAdvection(one, DefaultTolerance),
-                           MakeTracing(one, settings) },
+                           MakeTracerWork(this->What, settings),
+                           MakeAdvection(one, DefaultTolerance), MakeTracerWork(one, settings) },
         3);
     BenchRow row = this->Rows.Make(this->What.Name, EqualError, DefaultTolerance);
     row.SetError(Norm, own.Deviation.Mean);
@@ -174,10 +174,12 @@ private:
   /// Adds a row for a second execution, which reuses the face matches of the mesh.
   void AddAgain(const Trial& own, const TracerSettings& settings, const Trial& other)
   {
-    const auto filter = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
+    const auto filter = NewFlowField(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
     filter->Update();
-    const std::vector<BenchSeconds> seconds = MeasureAlternately(
-      { WithThreads(1, Again(filter)), WithThreads(1, MakeTracing(this->What, settings)) }, 3);
+    const std::vector<BenchSeconds> seconds =
+      MeasureAlternately({ WithThreads(1, MakeRerunWork(filter)),
+                           WithThreads(1, MakeTracerWork(this->What, settings)) },
+        3);
     BenchRow row = this->Rows.Make(this->What.Name, EqualAgain, DefaultTolerance);
     row.SetError(Norm, own.Deviation.Mean);
     row.SetTimes(seconds[0], std::string(Baseline) + "-" + settings.GetName(), seconds[1]);
@@ -199,7 +201,7 @@ void AddSecondThread(Case what, const BenchOptions& options, BenchRows& rows)
 {
   what.Seeds = MakeSeeds(options.Pick(20000, 2000, 50), 0.9, options.Seed);
   BenchRow row = rows.Make(what.Name, "threads-2");
-  MeasureSecondThread(MakeAdvection(what, DefaultTolerance), options, row);
+  MeasureTwoThreads(MakeAdvection(what, DefaultTolerance), options, row);
   rows.Add(row);
 }
 

@@ -46,8 +46,8 @@ void Measure(const FieldCase& field, const BenchOptions& options, std::vector<Ow
   std::vector<BenchWork> works;
   for (OwnTrial& trial : trials)
   {
-    trial.Row.Seconds = RunOnce(trial.Filter);
-    works.push_back(WithThreads(1, Again(trial.Filter)));
+    trial.Row.Seconds = TimeWithOneThread(trial.Filter);
+    works.push_back(WithThreads(1, MakeRerunWork(trial.Filter)));
   }
   if (field.IsStiff)
   {
@@ -55,7 +55,7 @@ void Measure(const FieldCase& field, const BenchOptions& options, std::vector<Ow
   }
   for (const BaselineTrial& trial : baselines)
   {
-    works.push_back(WithThreads(1, MakeTracing(field.What, trial.Settings)));
+    works.push_back(WithThreads(1, MakeTracerWork(field.What, trial.Settings)));
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   for (std::size_t i = 0; i < trials.size(); ++i)
@@ -102,7 +102,7 @@ std::vector<OwnTrial> MakeOwnTrials(
   {
     for (const double tolerance : tolerances)
     {
-      const auto filter = NewAdvection(field.What, integrator.first, tolerance);
+      const auto filter = NewFlowField(field.What, integrator.first, tolerance);
       if (field.IsStiff)
       {
         filter->SetMaximumError(tolerance);
@@ -120,7 +120,7 @@ void AddOwnRows(const FieldCase& field, const BenchOptions& options, std::vector
   for (OwnTrial& trial : trials)
   {
     BenchRow& row = trial.Row;
-    SetErrors(field, options, ReadAdvection(field.What, trial.Filter),
+    SetErrors(field, options, GetFlowFieldResult(field.What, trial.Filter),
       10.0 * trial.Filter->GetMaximumError(), row);
     vtkInterlumeReport* report = trial.Filter->GetReport();
     row.Set({ { "samples", report->GetCount("Samples") }, { "steps", report->GetCount("Steps") },
@@ -160,7 +160,7 @@ void AddBaselineRows(const FieldCase& field, const BenchOptions& options,
   {
     const auto tracer = NewTracer(field.What, trial.Settings);
     tracer->Update();
-    const MethodResult result = ReadTracer(field.What, tracer);
+    const MethodResult result = GetTracerResult(field.What, tracer);
     SetErrors(field, options, result, 0.0, trial.Row);
     trial.Row.Counts["steps"] = result.Steps;
     rows.Add(trial.Row);

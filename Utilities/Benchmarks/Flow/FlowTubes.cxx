@@ -65,7 +65,7 @@ double GetStreamFactor(double distance)
 
 Tube MakeRoundSphere(const std::string& name, const Disk& inflow, double time, int points)
 {
-  const reference::FlowFunction velocity = [flow = reference::Flow::RoundSphere()](
+  const reference::FlowFunction velocity = [flow = reference::Flow::PotentialAroundSphere()](
                                              const FlowVector& x)
   {
     // Extend the formula into the sphere, so that the field is continuous at the sphere's surface.

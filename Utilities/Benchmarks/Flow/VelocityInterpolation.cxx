@@ -45,12 +45,12 @@ Interpolation NewComposite(flow::CellSearch search)
 }
 }
 
-vtkSmartPointer<vtkAbstractInterpolatedVelocityField> flow::NewInterpolation(CellSearch search)
+vtkSmartPointer<vtkAbstractInterpolatedVelocityField> flow::NewInterpolator(CellSearch search)
 {
   return NewComposite(search);
 }
 
-vtkSmartPointer<vtkAbstractInterpolatedVelocityField> flow::NewInterpolation(
+vtkSmartPointer<vtkAbstractInterpolatedVelocityField> flow::NewInterpolator(
   CellSearch search, vtkDataSet* field)
 {
   const Interpolation interpolation = NewComposite(search);

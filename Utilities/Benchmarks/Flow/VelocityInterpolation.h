@@ -26,11 +26,11 @@ enum class CellSearch
 };
 
 /// Returns a prototype interpolator without a dataset, for vtkStreamTracer.
-vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(CellSearch search);
+vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolator(CellSearch search);
 
 /// Returns an interpolator of the point vectors of \a field, which must outlive it. The
 /// interpolator is not thread-safe.
-vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(
+vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolator(
   CellSearch search, vtkDataSet* field);
 }
 

@@ -112,7 +112,7 @@ void AddVoxelRows(const Question& question, const BenchOptions& options, BenchRo
         });
     }
   }
-  trials.Run(question, options, rows, ClockOf(stage.GetWindow()));
+  trials.Run(question, options, rows, SelectClock(stage.GetWindow()));
 }
 }
 

@@ -58,7 +58,7 @@ interval4d::Case MakeGyroidCase(int points, int slabs)
 {
   interval4d::Case made;
   made.Steps = vtkSmartPointer<StoredTimeSteps>::New();
-  made.Steps->AddStepsOf(MakeGyroid(points, slabs));
+  made.Steps->AddStepsFrom(MakeGyroid(points, slabs));
   made.Lower = Lower;
   made.Upper = Upper;
   return made;

@@ -44,13 +44,13 @@ std::vector<DragCase> MakeCases(const BenchOptions& options)
 {
   if (options.Size != BenchOptions::FULL)
   {
-    const BenchData wavelet = MakeWavelet(WaveletPoints(options));
+    const BenchData wavelet = MakeWavelet(GetWaveletResolution(options));
     return { { wavelet.Case, vtkImageData::SafeDownCast(wavelet.Data) } };
   }
   std::vector<DragCase> cases;
   cases.push_back({ "bonsai",
-    vtkImageData::SafeDownCast(WithOneArray(interlume::ReadData("bonsai.vti"), "ImageFile")) });
-  const auto head = WithOneArray(interlume::ReadData("headsq_quarter.vti"), "density");
+    vtkImageData::SafeDownCast(CopyWithOneArray(interlume::ReadData("bonsai.vti"), "ImageFile")) });
+  const auto head = CopyWithOneArray(interlume::ReadData("headsq_quarter.vti"), "density");
   int dimensions[3];
   vtkImageData::SafeDownCast(head)->GetDimensions(dimensions);
   vtkNew<vtkImageResample> resample;

@@ -109,7 +109,7 @@ double SurfaceDistance(
       boundary->GetPoint(ids->GetId(i), x[i]);
       value += scalars->GetTuple1(ids->GetId(i)) / 3.0;
     }
-    if (region.IsOnBox(x[0], x[1], x[2]))
+    if (region.AreOnSameBoxFace(x[0], x[1], x[2]))
     {
       continue;
     }

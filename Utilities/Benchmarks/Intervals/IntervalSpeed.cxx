@@ -84,7 +84,7 @@ void AddThreadRows(const BenchOptions& options, BenchRows& rows)
     { return methods::IntervalVolume(data.Data, data.Lower, data.Upper); };
     BenchRow row = rows.Make(data.Case, "threads-2");
     row.Counts["cells"] = data.Data->GetNumberOfCells();
-    MeasureSecondThread(work, options, row);
+    MeasureTwoThreads(work, options, row);
     rows.Add(row);
   }
 }

@@ -189,7 +189,8 @@ double TrilinearRegion::GetDistance(const double point[3], double value) const
     point, value, this->Spacing[0]);
 }
 
-bool TrilinearRegion::IsOnBox(const double a[3], const double b[3], const double c[3]) const
+bool TrilinearRegion::AreOnSameBoxFace(
+  const double a[3], const double b[3], const double c[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -37,7 +37,7 @@ public:
   /**
    * Returns whether all three points are on the same face of the image's bounding box.
    */
-  bool IsOnBox(const double a[3], const double b[3], const double c[3]) const;
+  bool AreOnSameBoxFace(const double a[3], const double b[3], const double c[3]) const;
 
 private:
   using Corners = std::array<double, 8>;

@@ -18,7 +18,7 @@ struct BenchSeconds
   double Processor = 0.0;
 
   /// Returns a copy whose Value is the processor time.
-  BenchSeconds OfProcessor() const { return { this->Processor, this->Runs, this->Spans }; }
+  BenchSeconds GetProcessorTime() const { return { this->Processor, this->Runs, this->Spans }; }
 
   operator double() const { return this->Value; }
 };

@@ -60,7 +60,7 @@ BenchWork WithThreads(int threads, const BenchWork& work)
   };
 }
 
-BenchWork Again(const vtkSmartPointer<vtkAlgorithm>& filter)
+BenchWork MakeRerunWork(const vtkSmartPointer<vtkAlgorithm>& filter)
 {
   return [filter]()
   {

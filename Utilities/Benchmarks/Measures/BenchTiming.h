@@ -41,7 +41,7 @@ BenchWork WithThreads(int threads, const BenchWork& work);
 /**
  * Returns work that executes \a filter again with unchanged inputs.
  */
-BenchWork Again(const vtkSmartPointer<vtkAlgorithm>& filter);
+BenchWork MakeRerunWork(const vtkSmartPointer<vtkAlgorithm>& filter);
 
 /**
  * Returns a row's parameter for the number of threads: `1 thread`, `2 threads`, ...

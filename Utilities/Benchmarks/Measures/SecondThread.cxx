@@ -3,7 +3,7 @@
 
 #include <vector>
 
-void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, BenchRow& row)
+void MeasureTwoThreads(const BenchWork& work, const BenchOptions& options, BenchRow& row)
 {
   // More runs reduce the influence of other processes, and these runs are short.
   const std::vector<BenchSeconds> seconds =

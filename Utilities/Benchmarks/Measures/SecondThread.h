@@ -10,6 +10,6 @@
  * Measures \a work with two threads and with one thread, and stores the times in \a row. One thread
  * is the baseline `threads-1`.
  */
-void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, BenchRow& row);
+void MeasureTwoThreads(const BenchWork& work, const BenchOptions& options, BenchRow& row);
 
 #endif

@@ -119,7 +119,7 @@ void AddMesher(vtkPolyData* sphere, const std::string& method, double quality, d
   mesher->SetInputData(sphere);
   mesher->SetQualityBound(quality);
   mesher->SetMaximumVolume(fraction * 4.0 / 3.0 * vtkMath::Pi());
-  trials.Add(method, setting, maker, WithThreads(1, Again(mesher)),
+  trials.Add(method, setting, maker, WithThreads(1, MakeRerunWork(mesher)),
     [mesher]() { return MeasureInterpolation(mesher->GetOutput()); });
 }
 
@@ -127,7 +127,7 @@ void AddBaseline(vtkPolyData* sphere, Trials& trials)
 {
   auto baseline = vtkSmartPointer<vtkDelaunay3D>::New();
   baseline->SetInputData(sphere);
-  trials.Add("vtkDelaunay3D", "", Maker::Baseline, WithThreads(1, Again(baseline)),
+  trials.Add("vtkDelaunay3D", "", Maker::Baseline, WithThreads(1, MakeRerunWork(baseline)),
     [baseline]() { return MeasureInterpolation(baseline->GetOutput()); });
 }
 

@@ -123,7 +123,7 @@ Case MakePosts(int pixels, int triangles)
   return made;
 }
 
-Case MakeAmongSpheres(
+Case MakeVolumeAmongSpheres(
   const std::string& name, const reference::ShadowScene& volume, int pixels, int triangles)
 {
   Case made;

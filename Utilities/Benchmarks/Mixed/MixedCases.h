@@ -26,7 +26,7 @@ struct Case
 Case MakePosts(int pixels, int triangles);
 
 /// Returns a volume surrounded by spheres that have about \a triangles triangles in total.
-Case MakeAmongSpheres(
+Case MakeVolumeAmongSpheres(
   const std::string& name, const reference::ShadowScene& volume, int pixels, int triangles);
 }
 

@@ -53,7 +53,7 @@ void AddRows(const Case& what, const BenchOptions& options, BenchRows& rows)
       { "volume_seconds", seconds[1].Value }, { "actors_seconds", seconds[2].Value },
       { "depth_maps_drawn", count(ours.GetReport(), "DepthMapsDrawn") },
       { "receiver_passes", count(ours.GetReport(), "ReceiverPasses") },
-      { "slices", count(ours.GetSlices()->GetReport(), "SlicesDrawn") } });
+      { "slices", count(ours.GetSliceMapper()->GetReport(), "SlicesDrawn") } });
     rows.Add(row);
   }
 }
@@ -76,8 +76,8 @@ void AddCostRows(const BenchOptions& options, BenchRows& rows)
   const int step = options.Pick(1, 4, 16);
   const shadows::Case bonsai = shadows::MakeBonsai(step, step);
   const shadows::Case smoke = shadows::MakeSmoke(options.Pick(128, 48, 12));
-  AddRows(MakeAmongSpheres("bonsai", bonsai.Scene, pixels, triangles), options, rows);
-  AddRows(MakeAmongSpheres("smoke", smoke.Scene, pixels, triangles), options, rows);
+  AddRows(MakeVolumeAmongSpheres("bonsai", bonsai.Scene, pixels, triangles), options, rows);
+  AddRows(MakeVolumeAmongSpheres("smoke", smoke.Scene, pixels, triangles), options, rows);
 }
 
 std::vector<BenchClaim> CheckCostClaims(const std::vector<BenchRow>& rows)

@@ -64,7 +64,7 @@ public:
   /// Returns the report of the pass, or null for methods other than ScenePass.
   vtkInterlumeReport* GetReport() const;
   /// Returns the mapper of the first volume, or null if there is no volume.
-  vtkShadowedSliceMapper* GetSlices() const { return this->Slices; }
+  vtkShadowedSliceMapper* GetSliceMapper() const { return this->Slices; }
 
 private:
   void MoveLights();

@@ -104,7 +104,7 @@ int main(int argc, char* argv[])
       options.Size = isTiny ? BenchOptions::TINY
         : isQuick           ? BenchOptions::QUICK
                             : BenchOptions::FULL;
-      BenchResults results = BenchResults::Here(options);
+      BenchResults results = BenchResults::MakeForThisMachine(options);
       results.Conditions["command"] = "mpiexec -n " +
         std::to_string(controller->GetNumberOfProcesses()) + " interlume-bench-ranks" +
         (isTiny       ? " --tiny"

@@ -229,7 +229,7 @@ private:
   void AddFront()
   {
     std::string path;
-    for (const ErrorPoint& point : FindFront(this->Plot))
+    for (const ErrorPoint& point : FindParetoFront(this->Plot))
     {
       if (!this->IsDrawn(point.Cost, point.Error))
       {

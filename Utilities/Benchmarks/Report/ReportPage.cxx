@@ -54,7 +54,8 @@ std::string CostsOf(const BenchResults& results)
     html::Escaped(MachineInOneLine(results.Machine, results.Vtk)) + "; " +
     html::Escaped(ConditionsInOneLine(results.Conditions)) + "; " +
     html::Escaped(results.Conditions.value("command", "")) + ".</p>\n" + html::TableOf(rows) +
-    html::Folded(std::to_string(ofScenes.size()) + " rows of scenes", html::TableOf(ofScenes));
+    html::MakeCollapsedSection(
+      std::to_string(ofScenes.size()) + " rows of scenes", html::TableOf(ofScenes));
 }
 }
 
@@ -87,7 +88,8 @@ void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>&
       this->Questions.push_back({ name, plot });
     }
   }
-  text << "</div>\n" << html::Folded(std::to_string(rows.size()) + " rows", html::TableOf(rows));
+  text << "</div>\n"
+       << html::MakeCollapsedSection(std::to_string(rows.size()) + " rows", html::TableOf(rows));
   this->Body += text.str();
   for (const BenchClaim& claim : suite.CheckClaims(rows))
   {
@@ -95,7 +97,7 @@ void ReportPage::AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>&
   }
 }
 
-void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
+void ReportPage::AddStabilityCatalog(const std::vector<StabilityCase>& cases)
 {
   const auto passed = std::count_if(
     cases.begin(), cases.end(), [](const StabilityCase& oneCase) { return oneCase.Passed; });
@@ -103,8 +105,9 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
   const std::vector<StabilityCount> counts = CountByClass(cases);
   text << "<h2 id=\"stability\">stability</h2>\n<p>" << passed << " of " << cases.size()
        << " cases of extreme and stiff inputs passed.</p>\n"
-       << html::Folded(std::to_string(counts.size()) + " classes", html::TableOf(counts))
-       << html::Folded(std::to_string(cases.size()) + " cases", html::TableOf(cases));
+       << html::MakeCollapsedSection(
+            std::to_string(counts.size()) + " classes", html::TableOf(counts))
+       << html::MakeCollapsedSection(std::to_string(cases.size()) + " cases", html::TableOf(cases));
   this->Body += text.str();
 }
 

@@ -31,7 +31,7 @@ public:
   /// Adds the rows of interlume-bench-costs and their claims.
   void AddCosts(const BenchResults& costs);
 
-  void AddCatalogue(const std::vector<StabilityCase>& cases);
+  void AddStabilityCatalog(const std::vector<StabilityCase>& cases);
 
   /**
    * Throws std::runtime_error with the path if the file cannot be written.

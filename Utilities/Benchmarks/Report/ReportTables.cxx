@@ -158,7 +158,7 @@ Cells CellsOf(const StabilityCount& count)
 
 namespace html
 {
-std::string Folded(const std::string& summary, const std::string& content)
+std::string MakeCollapsedSection(const std::string& summary, const std::string& content)
 {
   return content.empty()
     ? content
@@ -173,7 +173,7 @@ std::string FiguresOf(const std::vector<SuitePlot>& questions)
   for (const SuitePlot& question : questions)
   {
     const BenchPlot& plot = question.Plot;
-    const std::optional<double> over = GetCostOverFront(plot);
+    const std::optional<double> over = GetCostRelativeToFront(plot);
     const bool isOnFront = over && *over <= FrontTolerance;
     withDefault += over ? 1 : 0;
     onFront += isOnFront ? 1 : 0;

@@ -30,7 +30,7 @@ struct SuitePlot
 };
 
 /// Returns a section that is initially collapsed. \a content is HTML.
-std::string Folded(const std::string& summary, const std::string& content);
+std::string MakeCollapsedSection(const std::string& summary, const std::string& content);
 
 /**
  * Returns the number of questions whose default setting is on the Pareto front, and a figure for

@@ -30,7 +30,7 @@ BenchPlot BenchPlot::OfErrors(const std::string& name, const std::string& title,
   return plot;
 }
 
-BenchPlot BenchPlot::OfBars(
+BenchPlot BenchPlot::MakeBarPlot(
   const std::string& name, const std::string& title, const std::string& label)
 {
   BenchPlot plot;
@@ -82,7 +82,7 @@ void BenchPlot::AddPoint(
   found->Names.push_back(name);
 }
 
-void BenchPlot::SetNoChoice(const std::string& label)
+void BenchPlot::ExcludeFromFront(const std::string& label)
 {
   const auto series = Find(this->AllSeries, label);
   if (series != this->AllSeries.end())

@@ -64,7 +64,7 @@ struct BenchPlot
     const std::string& conditions = {});
 
   /// Returns a bar plot without bars. \a label is the label of the y axis.
-  static BenchPlot OfBars(
+  static BenchPlot MakeBarPlot(
     const std::string& name, const std::string& title, const std::string& label);
 
   /// Adds a bar of the series \a label to the group \a group. Creates the series and the group if
@@ -81,7 +81,7 @@ struct BenchPlot
   void AddRow(const BenchRow& row, bool isBaseline, const std::string& label = {});
 
   /// Sets IsChoice of the series \a label to false, if the series exists.
-  void SetNoChoice(const std::string& label);
+  void ExcludeFromFront(const std::string& label);
 
   /// Marks a point of the series \a label as the default: the point named \a name, or the last one
   /// if \a name is empty. If there is no such point, no point is marked.

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <stdexcept>
 
-BenchResults BenchResults::Here(const BenchOptions& options)
+BenchResults BenchResults::MakeForThisMachine(const BenchOptions& options)
 {
   BenchResults results;
   results.Machine = DescribeMachine();

@@ -26,7 +26,7 @@ struct BenchResults
 
   /// Returns results without rows, for this machine, this VTK version and the conditions of
   /// \a options.
-  static BenchResults Here(const BenchOptions& options);
+  static BenchResults MakeForThisMachine(const BenchOptions& options);
 
   /// Reads results from a file. Throws std::runtime_error with the path if the file cannot be read
   /// or parsed.

@@ -18,7 +18,7 @@ ErrorPoint PointOf(const BenchPlot::Series& series, std::size_t i)
 /// \a point itself if it is cheaper.
 ErrorPoint FindRival(const BenchPlot& plot, const ErrorPoint& point)
 {
-  const std::vector<ErrorPoint> front = FindFront(plot);
+  const std::vector<ErrorPoint> front = FindParetoFront(plot);
   const auto rival = std::find_if(front.begin(), front.end(),
     [&point](const ErrorPoint& other) { return other.Error <= point.Error; });
   return rival == front.end() || rival->Cost > point.Cost ? point : *rival;
@@ -38,7 +38,7 @@ std::string NumbersOf(const ErrorPoint& point)
 }
 }
 
-std::vector<ErrorPoint> FindFront(const BenchPlot& plot)
+std::vector<ErrorPoint> FindParetoFront(const BenchPlot& plot)
 {
   std::vector<ErrorPoint> all;
   for (const BenchPlot::Series& series : plot.AllSeries)
@@ -62,7 +62,7 @@ std::vector<ErrorPoint> FindFront(const BenchPlot& plot)
   return front;
 }
 
-std::optional<double> GetCostOverFront(const BenchPlot& plot)
+std::optional<double> GetCostRelativeToFront(const BenchPlot& plot)
 {
   if (plot.DefaultPoint.X.empty())
   {
@@ -74,7 +74,7 @@ std::optional<double> GetCostOverFront(const BenchPlot& plot)
 
 std::string SummaryOf(const BenchPlot& plot)
 {
-  const std::optional<double> over = GetCostOverFront(plot);
+  const std::optional<double> over = GetCostRelativeToFront(plot);
   if (!over)
   {
     return {};

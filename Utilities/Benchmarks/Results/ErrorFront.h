@@ -27,16 +27,16 @@ struct ErrorPoint
  * cost and descending error. A point is on the front if all other points have a larger cost or a
  * larger error.
  */
-std::vector<ErrorPoint> FindFront(const BenchPlot& plot);
+std::vector<ErrorPoint> FindParetoFront(const BenchPlot& plot);
 
 /**
  * Returns the cost of the default divided by the cost of the cheapest point whose error is not
  * larger. The result is 1 if the default is on the front, and empty if the plot has no default.
  */
-std::optional<double> GetCostOverFront(const BenchPlot& plot);
+std::optional<double> GetCostRelativeToFront(const BenchPlot& plot);
 
 /**
- * Largest result of GetCostOverFront() for which the default still counts as on the front. It
+ * Largest result of GetCostRelativeToFront() for which the default still counts as on the front. It
  * allows for noise in the measured times.
  */
 constexpr double FrontTolerance = 1.1;

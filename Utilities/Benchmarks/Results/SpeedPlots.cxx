@@ -26,7 +26,7 @@ std::vector<BenchPlot> MakeRatioPlots(
   std::vector<BenchPlot> plots;
   for (const std::string& baseline : BaselinesOf(method, rows))
   {
-    BenchPlot plot = BenchPlot::OfBars(suite + "-ratio-" + baseline,
+    BenchPlot plot = BenchPlot::MakeBarPlot(suite + "-ratio-" + baseline,
       method + " against " + baseline, "time of " + baseline + " / time of " + method);
     plot.Reference = 1.0;
     for (const BenchRow& row : rows)

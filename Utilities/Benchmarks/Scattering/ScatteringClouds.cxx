@@ -67,7 +67,8 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   const auto add = [&](const std::string& mode, const std::string& parameter, const Change& more)
   {
     settings.push_back({ mode, parameter,
-      shadows::MakeSlices(stage, scene, InMode(mode, reference::CloudAnisotropy, more)) });
+      shadows::MakeSliceMethod(
+        stage, scene, MakeModeSetter(mode, reference::CloudAnisotropy, more)) });
   };
   for (const std::string& mode : GetModes())
   {
@@ -91,7 +92,7 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
       }
     }
   }
-  settings.push_back({ Shadowed, Default, shadows::MakeSlices(stage, scene) });
+  settings.push_back({ Shadowed, Default, shadows::MakeSliceMethod(stage, scene) });
   return settings;
 }
 
@@ -118,9 +119,9 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   reference::VolumeStage stage(scene.Size);
   double spacing = 0.0;
   {
-    const shadows::MethodPointer plain = shadows::MakeSlices(stage, scene);
+    const shadows::MethodPointer plain = shadows::MakeSliceMethod(stage, scene);
     plain->Capture();
-    spacing = plain->GetSlices()->GetReport()->GetNumber("SliceSpacing");
+    spacing = plain->GetSliceMapper()->GetReport()->GetNumber("SliceSpacing");
   }
   const std::vector<Setting> settings = MakeSettings(stage, scene, spacing, options);
 
@@ -141,7 +142,7 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   std::vector<BenchWork> works;
   for (const Setting& setting : settings)
   {
-    works.push_back(GetLitFrame(*setting.Drawn, scene.Lights.front(), options.Threads));
+    works.push_back(MakeRelightingWork(*setting.Drawn, scene.Lights.front(), options.Threads));
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   const BenchSeconds shadowed = seconds.back();
@@ -150,7 +151,7 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
     const Setting& setting = settings[i];
     const double error = GetRelativeError(setting.Drawn->Capture(), expected.Mean);
     BenchRow row = MakeRow(rows, setting.Mode, setting.Parameter, seconds[i], error);
-    shadows::AddReport(setting.Drawn->GetSlices()->GetReport(), row);
+    shadows::AddReport(setting.Drawn->GetSliceMapper()->GetReport(), row);
     row.Counts["reference_noise"] = noise;
     if (setting.Mode != Shadowed && setting.Parameter == Default)
     {
@@ -187,9 +188,9 @@ void AddViewRows(const BenchOptions& options, BenchRows& rows)
     for (const std::string& mode : GetModes())
     {
       settings.push_back({ mode, Default,
-        shadows::MakeSlices(stage, scene, InMode(mode, reference::CloudAnisotropy)) });
+        shadows::MakeSliceMethod(stage, scene, MakeModeSetter(mode, reference::CloudAnisotropy)) });
     }
-    settings.push_back({ Shadowed, Default, shadows::MakeSlices(stage, scene) });
+    settings.push_back({ Shadowed, Default, shadows::MakeSliceMethod(stage, scene) });
     for (const Setting& setting : settings)
     {
       setting.Drawn->Capture();
@@ -203,7 +204,7 @@ void AddViewRows(const BenchOptions& options, BenchRows& rows)
       row.Set({ { "view_over_shadowed", seconds[i] / seconds.back() },
         { "solves",
           static_cast<vtkIdType>(
-            settings[i].Drawn->GetSlices()->GetReport()->GetNumber("ScatteringSolves")) } });
+            settings[i].Drawn->GetSliceMapper()->GetReport()->GetNumber("ScatteringSolves")) } });
       rows.Add(row);
     }
   }

@@ -18,7 +18,7 @@ std::vector<std::string> GetModes()
   return { Single, Forward, Full };
 }
 
-Change InMode(const std::string& mode, double g, const Change& more)
+Change MakeModeSetter(const std::string& mode, double g, const Change& more)
 {
   return [=](vtkShadowedSliceMapper* mapper)
   {
@@ -35,7 +35,7 @@ Change InMode(const std::string& mode, double g, const Change& more)
   };
 }
 
-BenchWork GetLitFrame(shadows::Method& method, vtkLight* light, int threads)
+BenchWork MakeRelightingWork(shadows::Method& method, vtkLight* light, int threads)
 {
   const BenchWork frame = method.GetFrame(threads);
   double start[3];

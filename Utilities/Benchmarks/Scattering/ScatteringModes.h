@@ -29,11 +29,11 @@ using Change = std::function<void(vtkShadowedSliceMapper*)>;
 
 /// Returns a function that sets a mapper's scattering mode and a Henyey-Greenstein phase function
 /// with anisotropy \a g, and then calls \a more.
-Change InMode(const std::string& mode, double g, const Change& more = nullptr);
+Change MakeModeSetter(const std::string& mode, double g, const Change& more = nullptr);
 
 /// Returns work that renders a frame of \a method after rotating the light by half a degree around
 /// z, so that scattered light is computed again. The light must belong to the scene of \a method.
-BenchWork GetLitFrame(shadows::Method& method, vtkLight* light, int threads);
+BenchWork MakeRelightingWork(shadows::Method& method, vtkLight* light, int threads);
 }
 
 #endif

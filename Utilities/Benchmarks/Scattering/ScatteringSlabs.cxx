@@ -41,7 +41,7 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
   SlabDrawing drawing(stage, slab.Medium, mode, across);
   const double reflected = drawing.GetFlux(true);
   const double transmitted = drawing.GetFlux(false);
-  BenchRow row = rows.Make(slab.Name, mode, drawing.GetCellsAcross());
+  BenchRow row = rows.Make(slab.Name, mode, drawing.GetCellsAlongThickness());
   row.SetError(Norm, std::abs(reflected - slab.Reflected) / slab.Reflected);
   row.Set({ { "reflected", reflected }, { "published_reflected", slab.Reflected },
     { "transmitted", transmitted } });
@@ -50,7 +50,7 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
     row.Error = std::max(*row.Error, std::abs(transmitted - slab.Transmitted) / slab.Transmitted);
     row.Counts["published_transmitted"] = slab.Transmitted;
   }
-  row.Seconds = MeasureAlternately({ drawing.GetLitFrame(options.Threads) }, 1).front();
+  row.Seconds = MeasureAlternately({ drawing.MakeRelightingWork(options.Threads) }, 1).front();
   rows.Add(row);
 }
 
@@ -79,7 +79,7 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows)
       {
         // In wide boxes the number of cells is limited, so different requests may result in the
         // same grid.
-        const int found = SlabDrawing::GetCellsAcross(slab.Medium, across);
+        const int found = SlabDrawing::GetCellsAlongThickness(slab.Medium, across);
         if (found > last)
         {
           AddModeRow(stage, slab, mode, across, options, rows);

@@ -82,8 +82,8 @@ SlabDrawing::SlabDrawing(
   // Depth along the normal that incident light reaches in one mean free path.
   const double path = slab.Cosine / slab.Depth;
   const double spacing = std::min(1.0 / 32.0, 0.5 * path);
-  this->Drawn = shadows::MakeSlices(stage, this->Scene,
-    InMode(mode, slab.G,
+  this->Drawn = shadows::MakeSliceMethod(stage, this->Scene,
+    MakeModeSetter(mode, slab.G,
       [=](vtkShadowedSliceMapper* mapper)
       {
         mapper->SetScatteringGridSize(cells);
@@ -92,7 +92,7 @@ SlabDrawing::SlabDrawing(
       }));
 }
 
-int SlabDrawing::GetCellsAcross(const Slab& slab, int across)
+int SlabDrawing::GetCellsAlongThickness(const Slab& slab, int across)
 {
   return std::max(std::min(across * GetWidth(slab), MaximumCells) / GetWidth(slab), 1);
 }
@@ -114,9 +114,9 @@ double SlabDrawing::GetFlux(bool isReflected)
   return 0.5 * sum / this->Medium.Cosine;
 }
 
-BenchWork SlabDrawing::GetLitFrame(int threads)
+BenchWork SlabDrawing::MakeRelightingWork(int threads)
 {
   this->Scene.Camera->DeepCopy(MakeCamera(0.5, true, GetWidth(this->Medium)));
-  return scattering::GetLitFrame(*this->Drawn, this->Scene.Lights.front(), threads);
+  return scattering::MakeRelightingWork(*this->Drawn, this->Scene.Lights.front(), threads);
 }
 }

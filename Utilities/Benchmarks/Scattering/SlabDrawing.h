@@ -39,11 +39,11 @@ public:
   /// radiance over all directions, computed by Gauss quadrature.
   double GetFlux(bool isReflected);
   /// Returns work that moves the light and then renders a frame.
-  BenchWork GetLitFrame(int threads);
+  BenchWork MakeRelightingWork(int threads);
   /// Returns the number of grid cells along the thickness of the slab.
-  int GetCellsAcross() const { return GetCellsAcross(this->Medium, this->Across); }
+  int GetCellsAlongThickness() const { return GetCellsAlongThickness(this->Medium, this->Across); }
   /// Returns the number of grid cells along the thickness of \a slab if \a across are requested.
-  static int GetCellsAcross(const Slab& slab, int across);
+  static int GetCellsAlongThickness(const Slab& slab, int across);
 
 private:
   Slab Medium;

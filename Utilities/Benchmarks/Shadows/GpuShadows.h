@@ -18,7 +18,7 @@ constexpr bool HasGpuShadows()
 
 /// Enables shadow rays from each sample through the full volume (GlobalIlluminationReach 1) without
 /// gradient shading (VolumetricScatteringBlending 2). Has no effect before VTK 9.2.
-inline void CastGpuShadows([[maybe_unused]] vtkGPUVolumeRayCastMapper* mapper)
+inline void EnableGpuShadows([[maybe_unused]] vtkGPUVolumeRayCastMapper* mapper)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   mapper->SetGlobalIlluminationReach(1.0f);

@@ -40,9 +40,9 @@ std::vector<Case> MakeCases(const BenchOptions& options)
 /// Returns the default slice spacing for \a scene, in world units.
 double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowScene& scene)
 {
-  const MethodPointer method = MakeSlices(stage, scene);
+  const MethodPointer method = MakeSliceMethod(stage, scene);
   method->Capture();
-  return method->GetSlices()->GetReport()->GetNumber("SliceSpacing");
+  return method->GetSliceMapper()->GetReport()->GetNumber("SliceSpacing");
 }
 
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
@@ -58,20 +58,21 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   for (const double factor : distances)
   {
     settings.push_back({ Spacing, factor,
-      MakeSlices(stage, scene,
+      MakeSliceMethod(stage, scene,
         [=](vtkShadowedSliceMapper* mapper) { mapper->SetSliceSpacing(factor * spacing); }) });
   }
   for (const int size : sizes)
   {
     settings.push_back({ Buffer, static_cast<double>(size),
-      MakeSlices(
+      MakeSliceMethod(
         stage, scene, [=](vtkShadowedSliceMapper* mapper) { mapper->SetLightBufferSize(size); }) });
   }
   for (const double distance : distances)
   {
     if (hasBaseline && HasGpuShadows() && distance > FinestSamples)
     {
-      settings.push_back({ GpuShadowsBaseline, distance, MakeShadowRays(stage, scene, distance) });
+      settings.push_back(
+        { GpuShadowsBaseline, distance, MakeShadowRayMethod(stage, scene, distance) });
     }
   }
   return settings;
@@ -82,7 +83,7 @@ void AddRow(const Setting& setting, const std::string& name, const reference::Rg
 {
   BenchRow row = rows.Make(name, setting.Name, setting.Parameter);
   row.Seconds = setting.Seconds;
-  if (vtkShadowedSliceMapper* slices = setting.Drawn->GetSlices())
+  if (vtkShadowedSliceMapper* slices = setting.Drawn->GetSliceMapper())
   {
     AddReport(slices->GetReport(), row);
   }
@@ -190,7 +191,7 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   for (const Case& what : cases)
   {
     const std::string scattering = what.Name + Scattering;
-    AddSceneRows(stage, scattering, MakeScattering(what).Scene, true, options, rows);
+    AddSceneRows(stage, scattering, MakeScatteringCase(what).Scene, true, options, rows);
     AddEqualErrorRow(scattering, rows);
     AddSceneRows(stage, what.Name + Shaded, what.Scene, false, options, rows);
   }

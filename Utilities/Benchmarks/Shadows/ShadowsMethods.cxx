@@ -81,7 +81,7 @@ BenchWork Method::GetFrame(int threads)
 reference::RgbaImage Method::Capture()
 {
   this->Show(this->Scene.Camera);
-  if (this->GetSlices())
+  if (this->GetSliceMapper())
   {
     return this->Stage.Capture(1);
   }
@@ -91,12 +91,12 @@ reference::RgbaImage Method::Capture()
   return this->Stage.Capture();
 }
 
-vtkShadowedSliceMapper* Method::GetSlices()
+vtkShadowedSliceMapper* Method::GetSliceMapper()
 {
   return vtkShadowedSliceMapper::SafeDownCast(this->Mapper);
 }
 
-MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowScene& scene,
+MethodPointer MakeSliceMethod(reference::VolumeStage& stage, const reference::ShadowScene& scene,
   const std::function<void(vtkShadowedSliceMapper*)>& set)
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
@@ -110,13 +110,13 @@ MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowS
   return std::make_unique<Method>(stage, scene, mapper);
 }
 
-MethodPointer MakeRays(
+MethodPointer MakeRayCastMethod(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance)
 {
   return std::make_unique<Method>(stage, scene, NewRayCaster(scene, sampleDistance));
 }
 
-MethodPointer MakeShadowRays(
+MethodPointer MakeShadowRayMethod(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance)
 {
   if (!HasGpuShadows())
@@ -124,7 +124,7 @@ MethodPointer MakeShadowRays(
     return nullptr;
   }
   auto mapper = NewRayCaster(scene, sampleDistance);
-  CastGpuShadows(mapper);
+  EnableGpuShadows(mapper);
   reference::ShadowScene shaded = scene;
   shaded.Property = vtkSmartPointer<vtkVolumeProperty>::New();
   shaded.Property->DeepCopy(scene.Property);

@@ -51,7 +51,7 @@ public:
   reference::RgbaImage Capture();
 
   /// Returns the mapper if it is a vtkShadowedSliceMapper, or null otherwise.
-  vtkShadowedSliceMapper* GetSlices();
+  vtkShadowedSliceMapper* GetSliceMapper();
 
 private:
   void Show(vtkCamera* camera);
@@ -67,17 +67,17 @@ using MethodPointer = std::unique_ptr<Method>;
 
 /// Creates a method with a vtkShadowedSliceMapper at full quality. \a set may change the mapper's
 /// settings.
-MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowScene& scene,
+MethodPointer MakeSliceMethod(reference::VolumeStage& stage, const reference::ShadowScene& scene,
   const std::function<void(vtkShadowedSliceMapper*)>& set = nullptr);
 
 /**
  * Create a method with a vtkGPUVolumeRayCastMapper that casts one ray per pixel, with the given
- * sample distance in voxels. MakeShadowRays() also calls CastGpuShadows() and turns Shade on, which
- * the shadows require. It returns null if this version of VTK has no volumetric shadows.
+ * sample distance in voxels. MakeShadowRayMethod() also calls EnableGpuShadows() and turns Shade
+ * on, which the shadows require. It returns null if this version of VTK has no volumetric shadows.
  */
-MethodPointer MakeRays(
+MethodPointer MakeRayCastMethod(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
-MethodPointer MakeShadowRays(
+MethodPointer MakeShadowRayMethod(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
 
 /// A method with one setting, and its measured time and error.

@@ -247,7 +247,7 @@ std::vector<Case> WithPixels(std::vector<Case> cases, int pixels)
   return cases;
 }
 
-Case MakeScattering(const Case& from)
+Case MakeScatteringCase(const Case& from)
 {
   Case made = from;
   made.Scene.Property = vtkSmartPointer<vtkVolumeProperty>::New();

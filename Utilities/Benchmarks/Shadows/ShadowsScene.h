@@ -60,9 +60,9 @@ Case MakeBox(int points);
  * Returns a copy of \a from that models isotropic single scattering: color times diffuse
  * coefficient times light intensity times transmittance, without ambient light. Shade is off, as
  * vtkShadowedSliceMapper requires for this model. The volumetric shadows of
- * vtkGPUVolumeRayCastMapper require Shade on (see MakeShadowRays()).
+ * vtkGPUVolumeRayCastMapper require Shade on (see MakeShadowRayMethod()).
  */
-Case MakeScattering(const Case& from);
+Case MakeScatteringCase(const Case& from);
 
 using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 

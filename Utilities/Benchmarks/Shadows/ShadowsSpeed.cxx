@@ -73,13 +73,13 @@ Turns MakeTurns(reference::VolumeStage& stage, const reference::ShadowScene& sce
   for (const int number : NumbersOfLights)
   {
     const Lights lights = MakeLights(scene, number);
-    add(Off, number, MakeSlices(stage, WithLights(scene, lights, false, true)));
-    add(On, number, MakeSlices(stage, WithLights(scene, lights, true, true)));
+    add(Off, number, MakeSliceMethod(stage, WithLights(scene, lights, false, true)));
+    add(On, number, MakeSliceMethod(stage, WithLights(scene, lights, true, true)));
   }
-  add(NoLights, 0, MakeSlices(stage, WithLights(scene, {}, true, false)));
-  add(Unlit, 1, MakeSlices(stage, WithLights(scene, scene.Lights, false, false)));
-  add(GpuBaseline, 1, MakeRays(stage, scene, 1.0));
-  add(GpuShadowsBaseline, 1, MakeShadowRays(stage, scene, 1.0));
+  add(NoLights, 0, MakeSliceMethod(stage, WithLights(scene, {}, true, false)));
+  add(Unlit, 1, MakeSliceMethod(stage, WithLights(scene, scene.Lights, false, false)));
+  add(GpuBaseline, 1, MakeRayCastMethod(stage, scene, 1.0));
+  add(GpuShadowsBaseline, 1, MakeShadowRayMethod(stage, scene, 1.0));
   return turns;
 }
 
@@ -106,7 +106,7 @@ struct RowMaker
     }
     BenchRow row = this->Rows.Make(this->What.Name, turn.Name, static_cast<int>(turn.Parameter));
     row.SetTimes(turn.Seconds, baseline->Name, baseline->Seconds);
-    AddReport(turn.Drawn->GetSlices()->GetReport(), row);
+    AddReport(turn.Drawn->GetSliceMapper()->GetReport(), row);
     if (row.Baseline == Off)
     {
       row.Set({ { "over_off", turn.Seconds / baseline->Seconds },

@@ -41,7 +41,7 @@ std::vector<Case> MakeCases(const BenchOptions& options)
       options.Pick(256, 64, 16));
   for (Case& one : cases)
   {
-    one = MakeScattering(one);
+    one = MakeScatteringCase(one);
     one.Scene.Lights = MakeAreaLights(one.Scene, LightSize);
   }
   return cases;
@@ -84,7 +84,7 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
     settings.push_back({ name, parameter, std::move(drawn) });
   };
   const auto add = [&](const std::string& name, double parameter, const Change& change)
-  { put(name, parameter, MakeSlices(stage, scene, change)); };
+  { put(name, parameter, MakeSliceMethod(stage, scene, change)); };
   for (const int samples : options.Pick<std::vector<int>>({ 4, 8, 16, 32, 64 }, { 4, 16 }, { 4 }))
   {
     add(Layers, samples, WithSamples(Mapper::SAMPLE_LAYERS, samples));
@@ -104,7 +104,7 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   add(Default, 1.0, nullptr);
   reference::ShadowScene hard = scene;
   hard.Lights = MakeAreaLights(scene, 0.0);
-  put(Hard, 1.0, MakeSlices(stage, hard));
+  put(Hard, 1.0, MakeSliceMethod(stage, hard));
   return settings;
 }
 
@@ -154,7 +154,7 @@ reference::RgbaImage MakeReference(reference::VolumeStage& stage,
   {
     reference::ShadowScene lit = scene;
     lit.Lights = group;
-    const reference::RgbaImage image = MakeSlices(stage, lit, change)->Capture();
+    const reference::RgbaImage image = MakeSliceMethod(stage, lit, change)->Capture();
     for (std::size_t i = 0; i < mean.Values.size(); ++i)
     {
       mean.Values[i] += image.Values[i] / static_cast<double>(groups.size());
@@ -175,7 +175,7 @@ BenchRow MakeRow(const Setting& setting, const std::string& name, const BenchRow
   row.Seconds = setting.Seconds;
   row.Counts["processor_seconds"] = setting.Seconds.Processor;
   row.SetError(Norm, setting.Error);
-  AddReport(setting.Drawn->GetSlices()->GetReport(), row);
+  AddReport(setting.Drawn->GetSliceMapper()->GetReport(), row);
   return row;
 }
 
@@ -203,9 +203,9 @@ const Setting& FindEqualTime(const std::vector<Setting>& settings, double second
 void AddSceneRows(
   reference::VolumeStage& stage, const Case& what, const BenchOptions& options, BenchRows& rows)
 {
-  const MethodPointer plain = MakeSlices(stage, what.Scene);
+  const MethodPointer plain = MakeSliceMethod(stage, what.Scene);
   plain->Capture();
-  const double spacing = plain->GetSlices()->GetReport()->GetNumber("SliceSpacing");
+  const double spacing = plain->GetSliceMapper()->GetReport()->GetNumber("SliceSpacing");
   std::vector<Setting> settings = MakeSettings(stage, what.Scene, spacing, options);
   MeasureFrames(settings, options.Threads, Repeats);
   const reference::RgbaImage expected = MakeReference(stage, what.Scene, spacing, options);

@@ -26,7 +26,7 @@ vtkSmartPointer<StoredTimeSteps> StoreTimeSteps(Source* source, int steps)
   source->SetNumberOfTimeSteps(steps);
   source->SetTimeRange(0.0, steps - 1.0);
   auto stored = vtkSmartPointer<StoredTimeSteps>::New();
-  stored->AddStepsOf(source);
+  stored->AddStepsFrom(source);
   return stored;
 }
 
@@ -82,12 +82,12 @@ Case ReadMug()
   vtkNew<interlume::ExodusTimeSource> source;
   source->SetFileName(interlume::DataFile(MugFile));
   vtkNew<StoredTimeSteps> all;
-  all->AddStepsOf(source);
+  all->AddStepsFrom(source);
   Case made{ "mug", vtkSmartPointer<StoredTimeSteps>::New(), 0.3, 0.5, {} };
   for (int step = 0; step < all->GetNumberOfSteps(); ++step)
   {
-    made.Steps->AddStep(
-      all->GetTimeOf(step), WithOneArray(vtkDataSet::SafeDownCast(all->GetStep(step)), "diffused"));
+    made.Steps->AddStep(all->GetStepTime(step),
+      CopyWithOneArray(vtkDataSet::SafeDownCast(all->GetStep(step)), "diffused"));
   }
   return made;
 }

@@ -51,10 +51,10 @@ struct FieldSeries
     const double half = (MovingField::LastTime - MovingField::FirstTime) / (2 * slabs);
     field.Source->SetTimeRange(MovingField::FirstTime, MovingField::LastTime);
     field.Source->SetNumberOfTimeSteps(slabs + 1);
-    this->Steps->AddStepsOf(field.Source);
+    this->Steps->AddStepsFrom(field.Source);
     field.Source->SetTimeRange(MovingField::FirstTime + half, MovingField::LastTime - half);
     field.Source->SetNumberOfTimeSteps(slabs);
-    this->Midpoints->AddStepsOf(field.Source);
+    this->Midpoints->AddStepsFrom(field.Source);
   }
 
   int GetNumberOfSlabs() const { return this->Midpoints->GetNumberOfSteps(); }
@@ -93,7 +93,7 @@ Region MakeSlice(const FieldSeries& series, int slab)
 {
   auto filter = NewSlab(series, slab);
   filter->Update();
-  return SliceOf(filter->GetOutputDataObject(2), series.Midpoints->GetTimeOf(slab));
+  return SliceOf(filter->GetOutputDataObject(2), series.Midpoints->GetStepTime(slab));
 }
 
 Region MakeInterpolated(const FieldSeries& series, int slab)
@@ -161,7 +161,7 @@ struct MeanError : RegionError
     {
       const Region region = method.Make(series, slab);
       const RegionError error =
-        MeasureRegion(series.Field, series.Midpoints->GetTimeOf(slab), region);
+        MeasureRegionError(series.Field, series.Midpoints->GetStepTime(slab), region);
       this->SymmetricDifference += error.SymmetricDifference / slabs;
       this->Volume += error.Volume / slabs;
       this->Tetrahedra += region->GetNumberOfCells();
@@ -174,7 +174,7 @@ void AddMethodRows(const FieldSeries& series, const Method& method, const BenchS
 {
   const MeanError error(series, method);
   BenchRow row = rows.Make(
-    series.Field.Name, method.Name, series.Steps->GetTimeOf(1) - series.Steps->GetTimeOf(0));
+    series.Field.Name, method.Name, series.Steps->GetStepTime(1) - series.Steps->GetStepTime(0));
   row.Seconds = seconds;
   if (row.Method == Slice)
   {
@@ -218,7 +218,7 @@ void AddSliceAgainRow(const FieldSeries& series, const BenchOptions& options, Be
   auto filter = NewSlab(series, 0);
   filter->Update();
   const auto simplices = vtkSmartPointer<vtkDataObject>(filter->GetOutputDataObject(2));
-  const double time = series.Midpoints->GetTimeOf(0);
+  const double time = series.Midpoints->GetStepTime(0);
   const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, [&]() { return SliceOf(simplices, time); }),
                          WithThreads(1, [&]() { return MakeInterpolated(series, 0); }) },
@@ -336,7 +336,7 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
         }
       }
     }
-    plot.SetNoChoice(Sampled);
+    plot.ExcludeFromFront(Sampled);
     plot.SetDefault(Slice);
     plots.push_back(plot);
   }

@@ -29,7 +29,7 @@ struct TableCounts
     for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
     {
       const auto& table = interlume::SpaceTimeTable::Get(static_cast<vtkIsotable::Shapes>(shape));
-      counts.Kinds += table.GetNumberOfKinds();
+      counts.Kinds += table.GetNumberOfSymmetryClasses();
       counts.Bytes += table.GetBytes();
     }
     return counts;

@@ -46,7 +46,7 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
   }
   BenchRow row = rows.Make(what.Name, "threads-2");
   row.Counts["simplices"] = simplices;
-  MeasureSecondThread(work, options, row);
+  MeasureTwoThreads(work, options, row);
   rows.Add(row);
 }
 

@@ -24,7 +24,8 @@ bool IsAt(double value, double bound)
 }
 }
 
-RegionError MeasureRegion(const MovingField& field, double time, vtkUnstructuredGrid* tetrahedra)
+RegionError MeasureRegionError(
+  const MovingField& field, double time, vtkUnstructuredGrid* tetrahedra)
 {
   vtkDataArray* values = tetrahedra->GetPointData()->GetArray(field.Source->GetArrayName());
   vtkNew<vtkIdList> ids;

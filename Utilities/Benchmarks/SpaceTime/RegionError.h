@@ -24,7 +24,8 @@ struct RegionError
   double Volume = 0.0;
 };
 
-RegionError MeasureRegion(const MovingField& field, double time, vtkUnstructuredGrid* tetrahedra);
+RegionError MeasureRegionError(
+  const MovingField& field, double time, vtkUnstructuredGrid* tetrahedra);
 }
 
 #endif

@@ -22,7 +22,7 @@ VortexFractions::VortexFractions(int points)
   source->SetNumberOfTimeSteps(2);
   this->What.Name = "vortex, 2 x " + std::to_string(points) + "^3 points";
   this->What.Steps = vtkSmartPointer<StoredTimeSteps>::New();
-  this->What.Steps->AddStepsOf(source);
+  this->What.Steps->AddStepsFrom(source);
   // This bound exceeds all values of the field.
   this->What.Upper = 100.0;
 

@@ -65,5 +65,5 @@ nlohmann::ordered_json BenchSuite::RunTask(
 nlohmann::ordered_json RunChild(
   const std::string& suite, const std::string& task, const BenchOptions& options)
 {
-  return RunProgram(options.Program, suite + " --task " + Quoted(task), options);
+  return RunProgram(options.Program, suite + " --task " + QuoteForShell(task), options);
 }

@@ -10,7 +10,7 @@
 #define pclose _pclose
 #endif
 
-std::string Quoted(const std::string& text)
+std::string QuoteForShell(const std::string& text)
 {
   std::string quoted = "'";
   for (char letter : text)
@@ -23,7 +23,7 @@ std::string Quoted(const std::string& text)
 nlohmann::ordered_json RunProgram(
   const std::string& program, const std::string& arguments, const BenchOptions& options)
 {
-  const std::string command = Quoted(program) + " " + arguments + " --seed " +
+  const std::string command = QuoteForShell(program) + " " + arguments + " --seed " +
     std::to_string(options.Seed) + " --threads " + std::to_string(options.Threads) +
     options.Pick<std::string>("", " --quick", " --tiny");
   std::FILE* pipe = popen(command.c_str(), "r");

@@ -17,6 +17,6 @@ nlohmann::ordered_json RunProgram(
   const std::string& program, const std::string& arguments, const BenchOptions& options);
 
 /// Returns \a text quoted as one shell argument.
-std::string Quoted(const std::string& text);
+std::string QuoteForShell(const std::string& text);
 
 #endif

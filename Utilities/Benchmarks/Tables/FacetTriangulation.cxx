@@ -40,7 +40,7 @@ public:
     {
       const int first = *std::min_element(points.begin(), points.end(),
         [this](int a, int b) { return this->Rank[a] < this->Rank[b]; });
-      for (const PointSet& side : this->Patch.GetFacesOf(face))
+      for (const PointSet& side : this->Patch.GetFacetsOfFace(face))
       {
         const PointList sidePoints = this->Patch.GetEdges(side);
         if (std::find(sidePoints.begin(), sidePoints.end(), first) != sidePoints.end())

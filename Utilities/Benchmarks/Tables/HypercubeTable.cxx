@@ -162,7 +162,7 @@ private:
     {
       return known->second;
     }
-    for (const PointSet& side : patch.GetFacesOf(set))
+    for (const PointSet& side : patch.GetFacetsOfFace(set))
     {
       face.Sides.push_back(this->Add(patch, side));
     }

@@ -30,12 +30,12 @@ std::array<double, 2> Chord(const reference::Ray& ray, double low, double high)
 }
 }
 
-reference::RgbaImage IntegrateField(const std::function<double(double, double, double)>& field,
+reference::RgbaImage RenderField(const std::function<double(double, double, double)>& field,
   double low, double high, vtkVolumeProperty* property, vtkCamera* camera,
   const std::array<int, 2>& size, int steps)
 {
-  const reference::StraightFunction color(property->GetRGBTransferFunction());
-  const reference::StraightFunction opacity(property->GetScalarOpacity());
+  const reference::PiecewiseLinearFunction color(property->GetRGBTransferFunction());
+  const reference::PiecewiseLinearFunction opacity(property->GetScalarOpacity());
   const double unit = property->GetScalarOpacityUnitDistance();
   const reference::PixelRays rays(camera, size);
   reference::RgbaImage image(size[0], size[1]);

@@ -49,7 +49,7 @@ void AddResolutionRows(SharedStage& stage, int cubes, const reference::RgbaImage
   works.reserve(methods.size());
   for (const Method& method : methods)
   {
-    works.push_back(WithThreads(options.Threads, stage.FrameOf(method.Mapper)));
+    works.push_back(WithThreads(options.Threads, stage.MakeRenderWork(method.Mapper)));
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   // CaptureSeparately() requires mappers that have not rendered before.
@@ -81,8 +81,8 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
   const std::vector<int> resolutions =
     options.Pick<std::vector<int>>({ 8, 16, 32, 48 }, { 4, 8, 16 }, { 2, 4 });
   SharedStage stage(options.Pick(256, 128, 32));
-  const reference::RgbaImage expected = IntegrateField(GetField, GetLow(), GetHigh(),
-    MakeProperty(), MakeCamera(), stage.GetSize(), options.Pick(4000, 1000, 200));
+  const reference::RgbaImage expected = RenderField(GetField, GetLow(), GetHigh(), MakeProperty(),
+    MakeCamera(), stage.GetSize(), options.Pick(4000, 1000, 200));
   for (int cubes : resolutions)
   {
     AddResolutionRows(stage, cubes, expected, options, rows);

@@ -98,7 +98,7 @@ SharedStage::SharedStage(int pixels)
 {
 }
 
-BenchWork SharedStage::FrameOf(vtkUnstructuredGridVolumeMapper* mapper)
+BenchWork SharedStage::MakeRenderWork(vtkUnstructuredGridVolumeMapper* mapper)
 {
   return [this, mapper]()
   {

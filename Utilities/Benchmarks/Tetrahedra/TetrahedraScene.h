@@ -52,7 +52,7 @@ public:
 
   /// Returns a function that renders one frame with \a mapper and waits until the frame is
   /// complete. The camera rotates by half a degree per frame. The mapper must outlive the function.
-  BenchWork FrameOf(vtkUnstructuredGridVolumeMapper* mapper);
+  BenchWork MakeRenderWork(vtkUnstructuredGridVolumeMapper* mapper);
   /// Returns the image of \a mapper at the initial camera position as floating-point values.
   reference::RgbaImage Capture(vtkUnstructuredGridVolumeMapper* mapper);
   /// Returns the same image as Capture(), but renders it in a separate window. The mapper must not

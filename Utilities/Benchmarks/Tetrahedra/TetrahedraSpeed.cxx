@@ -52,12 +52,12 @@ void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows
     for (const RenderMode& mode : AllRenderModes())
     {
       entries.push_back({ &path, &mode, NewMapper(grid, path, mode) });
-      works.push_back(WithThreads(options.Threads, stage.FrameOf(entries.back().Mapper)));
+      works.push_back(WithThreads(options.Threads, stage.MakeRenderWork(entries.back().Mapper)));
     }
   }
   vtkNew<vtkProjectedTetrahedraMapper> baseline;
   baseline->SetInputData(static_cast<vtkDataSet*>(grid));
-  works.push_back(stage.FrameOf(baseline));
+  works.push_back(stage.MakeRenderWork(baseline));
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, what.Repeats);
   for (std::size_t i = 0; i < entries.size(); ++i)
   {

@@ -165,7 +165,7 @@ vtkIdType CountProgramWords(GLuint program)
 }
 }
 
-ContextCount CountContext(vtkRenderWindow* window)
+ContextCount CountContextResources(vtkRenderWindow* window)
 {
   window->MakeCurrent();
   // Debug output is disabled, since GetTextureBytes() tries to bind a texture to all targets, and

@@ -22,7 +22,7 @@ struct ContextCount
 };
 
 /// Counts the resources of the window's context.
-ContextCount CountContext(vtkRenderWindow* window);
+ContextCount CountContextResources(vtkRenderWindow* window);
 }
 
 #endif

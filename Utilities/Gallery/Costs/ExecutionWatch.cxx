@@ -25,7 +25,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
     const int result = this->Superclass::ExecuteData(request, inputs, outputs);
-    ExecutionWatch::Note(this->GetAlgorithm());
+    ExecutionWatch::RecordExecution(this->GetAlgorithm());
     return result;
   }
 };
@@ -45,7 +45,7 @@ ExecutionWatch::~ExecutionWatch()
   Current = nullptr;
 }
 
-void ExecutionWatch::Note(vtkAlgorithm* algorithm)
+void ExecutionWatch::RecordExecution(vtkAlgorithm* algorithm)
 {
   if (Current)
   {

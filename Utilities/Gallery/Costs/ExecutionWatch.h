@@ -32,7 +32,7 @@ public:
   }
 
   /// Called by the executives.
-  static void Note(vtkAlgorithm* algorithm);
+  static void RecordExecution(vtkAlgorithm* algorithm);
 
 private:
   std::vector<vtkSmartPointer<vtkAlgorithm>> Algorithms;

@@ -322,7 +322,7 @@ private:
     this->Drawn.DrawIn(this->Window);
     Costs costs;
     costs.Seconds = watch.Seconds();
-    const ContextCount count = CountContext(this->Window);
+    const ContextCount count = CountContextResources(this->Window);
     costs.Buffers = count.Buffers;
     costs.Bytes = static_cast<double>(count.Bytes);
     costs.Words = static_cast<double>(count.Words);

@@ -91,7 +91,7 @@ vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
   // texture.
   actor->GetMapper()->InterpolateScalarsBeforeMappingOff();
   const vtkSmartPointer<vtkStreamlineTexture> texture =
-    gallery::MakeStreamlines(24, gallery::Ink(), lines);
+    gallery::MakeArcLengthTexture(24, gallery::TextColor(), lines);
   texture->SetLineWidth(0.2);
   vtkStreamlineTexture::AddTo(actor, texture, nullptr);
   return actor;

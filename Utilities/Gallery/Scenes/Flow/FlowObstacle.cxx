@@ -42,7 +42,7 @@ void Build(gallery::Stage& stage)
   {
     panel.Add(
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
-        gallery::MakeGridTexture(32, 32, gallery::IntervalColor(1 + id), gallery::Ink())));
+        gallery::MakeGridTexture(32, 32, gallery::IntervalColor(1 + id), gallery::TextColor())));
   }
   panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.0 }, 1.02 * RADIUS, { 0.8, 0.81, 0.83 }));
 }

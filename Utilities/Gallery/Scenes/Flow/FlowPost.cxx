@@ -91,13 +91,13 @@ vtkSmartPointer<vtkTerminationPlane> MakeInflow(double width)
 /// Adds the post and a plate, which extends past the displayed region by \a margin.
 void AddPost(gallery::Panel& panel, double margin)
 {
-  panel.Add(gallery::MakePillar(RADIUS, 0.0, 1.1 * HEIGHT, gallery::Pencil()));
+  panel.Add(gallery::MakePillar(RADIUS, 0.0, 1.1 * HEIGHT, gallery::OutlineColor()));
   vtkNew<vtkPlaneSource> plate;
   plate->SetOrigin(BEGIN - margin, -WIDTH - margin, 0.0);
   plate->SetPoint1(END + margin, -WIDTH - margin, 0.0);
   plate->SetPoint2(BEGIN - margin, WIDTH + margin, 0.0);
   plate->Update();
-  panel.Add(gallery::MakeActor(plate->GetOutput(), gallery::Pencil()));
+  panel.Add(gallery::MakeActor(plate->GetOutput(), gallery::OutlineColor()));
 }
 
 void Build(gallery::Stage& stage)
@@ -123,7 +123,7 @@ void Build(gallery::Stage& stage)
   {
     panel.Add(
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
-        gallery::MakeGridTexture(32, 16, gallery::IntervalColor(1 + id), gallery::Ink())));
+        gallery::MakeGridTexture(32, 16, gallery::IntervalColor(1 + id), gallery::TextColor())));
   }
   AddPost(panel, 0.3);
 }

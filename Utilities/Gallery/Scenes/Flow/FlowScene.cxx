@@ -58,7 +58,7 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGri
   return source;
 }
 
-std::array<double, 3> GetVortexAxis(vtkAnalyticFlowSource* vortex, double z)
+std::array<double, 3> GetVortexAxisPoint(vtkAnalyticFlowSource* vortex, double z)
 {
   const double height = z / vortex->GetHeight() + 0.5;
   std::array<double, 3> point = { { 0.0, 0.0, z } };
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* vortex, cons
   {
     const double z = interpolate(grid.Heights, k, n[2]);
     const std::array<double, 3> axis =
-      vortex ? GetVortexAxis(vortex, z) : std::array<double, 3>{ { 0.0, 0.0, z } };
+      vortex ? GetVortexAxisPoint(vortex, z) : std::array<double, 3>{ { 0.0, 0.0, z } };
     for (int j = 0; j < n[1]; ++j)
     {
       const double angle = 2.0 * vtkMath::Pi() * interpolate(grid.Turns, j, n[1]);

@@ -61,7 +61,7 @@ struct RingGrid
 /**
  * Returns the point at height \a z on the axis of a hurricane or tornado.
  */
-std::array<double, 3> GetVortexAxis(vtkAnalyticFlowSource* vortex, double z);
+std::array<double, 3> GetVortexAxisPoint(vtkAnalyticFlowSource* vortex, double z);
 
 /**
  * Returns rings around the axis of \a vortex, a hurricane or tornado, or around the z axis if

@@ -83,7 +83,7 @@ vtkSmartPointer<vtkTexture> MakeStreamlineTexture(
     {
       const double fraction = Line((x + 0.5) / LINE_PERIOD, 1.0 / LINE_PERIOD);
       const vtkColor3d& color = colors[static_cast<std::size_t>(y)];
-      SetPixel(image, x, y, color, Ink(), fraction);
+      SetPixel(image, x, y, color, TextColor(), fraction);
       static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0))[3] =
         static_cast<unsigned char>(255.0 * (opacity + fraction * (1.0 - opacity)) + 0.5);
     }

@@ -43,7 +43,7 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkCubeSource> floor;
   floor->SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0);
   floor->Update();
-  panel.Add(gallery::MakeActor(floor->GetOutput(), gallery::Pencil()));
+  panel.Add(gallery::MakeActor(floor->GetOutput(), gallery::OutlineColor()));
 }
 
 const gallery::SceneRegistration registration(

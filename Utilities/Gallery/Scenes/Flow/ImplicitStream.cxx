@@ -49,7 +49,7 @@ void Build(gallery::Stage& stage)
   tornado->SetCoreRadius(0.6);
   tornado->SetCirculation(1.2);
   const vtkSmartPointer<vtkTerminationPlane> ground = gallery::MakeInflowPlane(
-    gallery::GetVortexAxis(tornado, GROUND), { HALF_SIZE, 0.0, 0.0 }, { 0.0, HALF_SIZE, 0.0 });
+    gallery::GetVortexAxisPoint(tornado, GROUND), { HALF_SIZE, 0.0, 0.0 }, { 0.0, HALF_SIZE, 0.0 });
   // The rings narrow like the streamlines, so that the star is resolved equally well at all
   // heights.
   const vtkSmartPointer<vtkStructuredGrid> samples = gallery::MakeRings(tornado,

@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> MakePaint(
   return image;
 }
 
-void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& color,
+void DrawTextLine(vtkImageData* image, const std::string& text, const vtkColor3d& color,
   double opacity, double height, double center)
 {
   int size[3];

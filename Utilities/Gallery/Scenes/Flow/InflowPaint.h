@@ -37,7 +37,7 @@ vtkSmartPointer<vtkImageData> MakePaint(
  * Draws a line of text into an image, centered horizontally. \a height is the font size and
  * \a center the vertical center, both as fractions of the image height.
  */
-void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& color,
+void DrawTextLine(vtkImageData* image, const std::string& text, const vtkColor3d& color,
   double opacity, double height, double center = 0.5);
 
 /**

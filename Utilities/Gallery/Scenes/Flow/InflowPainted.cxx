@@ -53,7 +53,7 @@ void BuildPainted(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkImageData> image =
     gallery::MakePaint(768, 384, [](double, double) { return gallery::Paint{}; });
-  gallery::WriteText(image, "flow", gallery::IntervalColor(0), 0.9, 0.75);
+  gallery::DrawTextLine(image, "flow", gallery::IntervalColor(0), 0.9, 0.75);
   const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane(0.9, 0.45);
   gallery::Panel& panel = stage.AddPanel("", { -0.1, -1.0, 1.0 });
   const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(
@@ -150,7 +150,8 @@ void BuildDual(gallery::Stage& stage)
       const double x = 7.0 * u - std::floor(7.0 * u) - 0.5;
       const double y = 7.0 * v - std::floor(7.0 * v) - 0.5;
       const double r = std::hypot(u - 0.5, v - 0.5);
-      return gallery::Paint{ gallery::Ink(), r < 0.45 && std::hypot(x, y) < 0.22 ? 0.5 : 0.0 };
+      return gallery::Paint{ gallery::TextColor(),
+        r < 0.45 && std::hypot(x, y) < 0.22 ? 0.5 : 0.0 };
     });
   const vtkSmartPointer<vtkImageData> transparent =
     gallery::MakePaint(2, 2, [](double, double) { return gallery::Paint{}; });

@@ -16,8 +16,9 @@ void Build(gallery::Stage& stage)
 {
   const gallery::MappedFlow flow = gallery::MakeTornado(12.0);
   gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.35 });
-  panel.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.06, 0.45, END, 16.0),
-    vtkColor3d(0.95, 0.93, 0.9), gallery::MakeStreamlines(48, gallery::Ink(), 16), nullptr));
+  panel.Add(gallery::MakeActorWithLines(gallery::MakeTexturedSurface(flow, 0.06, 0.45, END, 16.0),
+    vtkColor3d(0.95, 0.93, 0.9), gallery::MakeArcLengthTexture(48, gallery::TextColor(), 16),
+    nullptr));
   panel.Add(
     gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow.Samples, 0.06, 0.16, 0.45, END),
       { { gallery::IntervalColor(0), 2.0 } }));

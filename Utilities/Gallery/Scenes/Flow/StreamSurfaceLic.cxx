@@ -68,7 +68,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& panel = stage.AddPanel("", { -0.55, -1.0, 0.45 });
   const vtkSmartPointer<vtkActor> surface = gallery::MakeColoredActor(
     vtkPolyData::SafeDownCast(lic->GetOutputDataObject(0)), "LIC", colors);
-  gallery::CutOpen(surface, { 0.0, 0.8, -0.6 });
+  gallery::ClipActor(surface, { 0.0, 0.8, -0.6 });
   panel.Add(surface);
   panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.0 }, Radius, gallery::IntervalColor(2)));
   panel.Add(gallery::MakeVolumeOfIntervals(

@@ -29,16 +29,18 @@ void Build(gallery::Stage& stage)
 
   const vtkSmartPointer<vtkPolyData> outer =
     gallery::MakeTexturedSurface(flow, OUTER, START, 3.9, PERIOD);
-  one.Add(gallery::MakeLinedActor(outer, gallery::IntervalColor(0),
-    gallery::MakeStreamlines(16, gallery::Ink(), LINES),
-    gallery::MakeTimelines(16, vtkColor3d(1.0, 1.0, 1.0), LINES)));
+  one.Add(gallery::MakeActorWithLines(outer, gallery::IntervalColor(0),
+    gallery::MakeArcLengthTexture(16, gallery::TextColor(), LINES),
+    gallery::MakeTimelineTexture(16, vtkColor3d(1.0, 1.0, 1.0), LINES)));
 
-  const vtkSmartPointer<vtkActor> open = gallery::MakeLinedActor(
-    outer, gallery::IntervalColor(0), gallery::MakeStreamlines(16, gallery::Ink(), LINES), nullptr);
-  gallery::CutOpen(open, { -0.4, 1.0, 0.0 });
+  const vtkSmartPointer<vtkActor> open =
+    gallery::MakeActorWithLines(outer, gallery::IntervalColor(0),
+      gallery::MakeArcLengthTexture(16, gallery::TextColor(), LINES), nullptr);
+  gallery::ClipActor(open, { -0.4, 1.0, 0.0 });
   nested.Add(open);
-  nested.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, INNER, START, 5.5, PERIOD),
-    gallery::IntervalColor(1), nullptr, gallery::MakeTimelines(16, gallery::Ink(), LINES)));
+  nested.Add(gallery::MakeActorWithLines(
+    gallery::MakeTexturedSurface(flow, INNER, START, 5.5, PERIOD), gallery::IntervalColor(1),
+    nullptr, gallery::MakeTimelineTexture(16, gallery::TextColor(), LINES)));
   // The volume between the surfaces is visible where the outer one is cut away.
   nested.Add(gallery::MakeVolumeOfIntervals(
     gallery::MakeStreamVolume(flow.Samples, INNER, OUTER, START, 3.9),

@@ -89,7 +89,8 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkPolyData> surface =
     gallery::MakeTexturedSurface(gallery::MakeTornado(5.0), 0.13, 0.45, 3.9, 16.0);
   // All panels share one texture.
-  const vtkSmartPointer<vtkStreamlineTexture> lines = gallery::MakeStreamlines(48, gallery::Ink());
+  const vtkSmartPointer<vtkStreamlineTexture> lines =
+    gallery::MakeArcLengthTexture(48, gallery::TextColor());
   const struct
   {
     const char* Caption;
@@ -109,7 +110,7 @@ void Build(gallery::Stage& stage)
     panel.LookFrom(FROM, { 0.0, 0.0, 1.0 });
     // Ambient occlusion would add noise to the closer views.
     panel.SetAmbientOcclusion(0.0);
-    const vtkSmartPointer<vtkActor> actors[] = { gallery::MakeLinedActor(surface,
+    const vtkSmartPointer<vtkActor> actors[] = { gallery::MakeActorWithLines(surface,
                                                    gallery::IntervalColor(0), lines, nullptr),
       MakeTube(line, LINE_RADIUS * view.Size) };
     for (vtkActor* actor : actors)

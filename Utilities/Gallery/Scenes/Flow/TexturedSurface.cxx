@@ -90,7 +90,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
   return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(
+vtkSmartPointer<vtkStreamlineTexture> MakeArcLengthTexture(
   int texels, const vtkColor3d& color, int lines)
 {
   auto texture = vtkSmartPointer<vtkStreamlineTexture>::New();
@@ -100,15 +100,16 @@ vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(
   return texture;
 }
 
-vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& color, int lines)
+vtkSmartPointer<vtkStreamlineTexture> MakeTimelineTexture(
+  int texels, const vtkColor3d& color, int lines)
 {
-  vtkSmartPointer<vtkStreamlineTexture> texture = MakeStreamlines(texels, color, lines);
+  vtkSmartPointer<vtkStreamlineTexture> texture = MakeArcLengthTexture(texels, color, lines);
   texture->SetDirection(vtkStreamlineTexture::T);
   texture->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
   return texture;
 }
 
-vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& color,
+vtkSmartPointer<vtkActor> MakeActorWithLines(vtkPolyData* surface, const vtkColor3d& color,
   vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
 {
   // The actor is white and the texture provides the color of the surface, so that this color does
@@ -120,7 +121,7 @@ vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d&
   return actor;
 }
 
-void CutOpen(vtkActor* actor, const std::array<double, 3>& normal)
+void ClipActor(vtkActor* actor, const std::array<double, 3>& normal)
 {
   vtkNew<vtkPlane> plane;
   plane->SetNormal(normal.data());

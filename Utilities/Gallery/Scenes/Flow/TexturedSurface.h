@@ -65,22 +65,22 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
  * time). \a texels is the approximate distance between lines in pixels of the supersampled image.
  * \a lines, a power of two, is the maximum number of lines per unit of the texture coordinate.
  */
-vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(
+vtkSmartPointer<vtkStreamlineTexture> MakeArcLengthTexture(
   int texels, const vtkColor3d& color, int lines = 128);
-vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(
+vtkSmartPointer<vtkStreamlineTexture> MakeTimelineTexture(
   int texels, const vtkColor3d& color, int lines = 128);
 
 /**
  * Returns an actor of one color with streamlines, timelines, or both. One of the two textures may
  * be null.
  */
-vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& color,
+vtkSmartPointer<vtkActor> MakeActorWithLines(vtkPolyData* surface, const vtkColor3d& color,
   vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines);
 
 /**
  * Clips the actor with the plane through the origin whose normal is \a normal.
  */
-void CutOpen(vtkActor* actor, const std::array<double, 3>& normal);
+void ClipActor(vtkActor* actor, const std::array<double, 3>& normal);
 }
 
 #endif

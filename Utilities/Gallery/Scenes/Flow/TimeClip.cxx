@@ -36,7 +36,7 @@ gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* i
   for (int id = first; id <= last; ++id)
   {
     panel.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id),
-      gallery::MakeGridTexture(24, 48, gallery::IntervalColor(2), gallery::Ink())));
+      gallery::MakeGridTexture(24, 48, gallery::IntervalColor(2), gallery::TextColor())));
   }
   return panel;
 }
@@ -58,7 +58,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& left = Show(stage, clipped, inflow, "(a) clipped to a range of time", 0, 1);
   left.Add(gallery::MakeFlowActor(
     gallery::GetFlowSurface(clipped, gallery::STREAM_SURFACES, OUTER_SURFACE),
-    gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::Ink())));
+    gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::TextColor())));
 
   vtkNew<vtkFlowVolume> full;
   const double times[3] = { 0.015, 0.035, 0.06 };
@@ -69,7 +69,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& right =
     Show(stage, full, inflow, "(b) three time surfaces, one stream surface", 1, 3);
   right.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(full, gallery::STREAM_SURFACES, 1),
-    gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::Ink())));
+    gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::TextColor())));
 }
 
 const gallery::SceneRegistration registration(

@@ -38,7 +38,7 @@ void Build(gallery::Stage& stage)
   {
     panel.Add(
       gallery::MakeFlowActor(gallery::GetSmoothFlowSurface(filter, gallery::TIME_SURFACES, id),
-        gallery::MakeGridTexture(24, 24, gallery::IntervalColor(1 + id), gallery::Ink())));
+        gallery::MakeGridTexture(24, 24, gallery::IntervalColor(1 + id), gallery::TextColor())));
   }
 }
 

@@ -115,7 +115,7 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
 vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow, const vtkColor3d& color)
 {
   vtkNew<vtkAppendPolyData> fin;
-  fin->AddInputData(MakeWall(flow, 1, 0));
+  fin->AddInputData(MakeGridSurface(flow, 1, 0));
   fin->AddInputData(MakeLid(flow));
   fin->Update();
   return MakeActor(fin->GetOutput(), color);
@@ -124,7 +124,7 @@ vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow, const vtkColor3d
 /// Returns the plate on which the fin stands (surface k = 0).
 vtkSmartPointer<vtkActor> MakeBluntFinPlate(vtkStructuredGrid* flow, const vtkColor3d& color)
 {
-  return MakeActor(MakeWall(flow, 2, 0), color);
+  return MakeActor(MakeGridSurface(flow, 2, 0), color);
 }
 
 void BuildIntervalLinear(gallery::Stage& stage)

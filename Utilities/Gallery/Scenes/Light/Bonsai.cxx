@@ -40,8 +40,8 @@ vtkSmartPointer<vtkSpatialObject> MakeBonsai()
   vtkNew<vtkSpatialOperation> leaves;
   leaves->SetOperationToTrim();
   leaves->AddOperand(MakeImageObject(Cut(scan, crown), 20.0, 48.0, tree));
-  leaves->AddOperand(Unite({ MakeBox({ 0.0, 88.0, 0.0 }, { 255.0, 255.0, 255.0 }, Plaster()),
-    MakeBox({ 96.0, 0.0, 100.0 }, { 150.0, 88.0, 160.0 }, Plaster()) }));
+  leaves->AddOperand(Unite({ MakeBox({ 0.0, 88.0, 0.0 }, { 255.0, 255.0, 255.0 }, PlasterColor()),
+    MakeBox({ 96.0, 0.0, 100.0 }, { 150.0, 88.0, 160.0 }, PlasterColor()) }));
 
   vtkNew<vtkColorTransferFunction> clay;
   clay->AddRGBPoint(60.0, 0.40, 0.27, 0.18);

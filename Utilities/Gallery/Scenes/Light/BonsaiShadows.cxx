@@ -27,8 +27,9 @@ void Build(gallery::Stage& stage)
 void BuildSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleBonsai();
-  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -0.9, -0.8, 4.6 }, 0.85), 1.1, 0.0, 640);
+  gallery::SoftShadowPair pair =
+    gallery::AddSoftShadowPair(stage, image, gallery::MakeSolidMedium(image),
+      gallery::MakeStudioLights({ -0.9, -0.8, 4.6 }, 0.85), 1.1, 0.0, 640);
   pair.UseBackdrop({ 0.92, 0.88, 0.80 }, { 0.56, 0.50, 0.46 });
   pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.54, 0.76, -0.1, 0.1, -0.06, 1.08));
 }

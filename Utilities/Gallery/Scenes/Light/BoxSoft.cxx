@@ -30,15 +30,15 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkSpatialPrimitive> box =
     gallery::MakeBox({ -0.64, -0.5, 0.0 }, { 0.64, 0.5, 1.12 }, ice);
   // With this edge width, the density changes by less than the surface gradient passed to
-  // AddSoftPair(), so the box is not shaded as a surface.
+  // AddSoftShadowPair(), so the box is not shaded as a surface.
   box->SetEdgeWidth(0.04);
   gallery::AddSmoke(image, box, 0.2, ice);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMediumInSmoke(image, 0.013);
   medium->SetAmbient(0.05);
   const gallery::Lights lights = { gallery::MakePointLight({ -0.25, -0.1, 3.3 }, 2.3),
     gallery::MakeFillLight({ 0.6, -1.0, 0.5 }, 0.12) };
-  gallery::SoftPair pair =
-    gallery::AddSoftPair(stage, image, medium, lights, 0.45, 10.0 * gallery::SMOKE_GRADIENT, 512);
+  gallery::SoftShadowPair pair = gallery::AddSoftShadowPair(
+    stage, image, medium, lights, 0.45, 10.0 * gallery::SMOKE_GRADIENT, 512);
   pair.UseBackdrop({ 0.20, 0.23, 0.27 }, { 0.05, 0.06, 0.08 });
   pair.Look({ 0.3, -1.0, 0.36 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.3, 1.36));
 }

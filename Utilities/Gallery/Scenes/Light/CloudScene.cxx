@@ -19,7 +19,7 @@ vtkSmartPointer<vtkVolume> MakeCloudVolume(vtkSpatialObject* clouds,
   const std::array<double, 6>& bounds, int cells, Scattering scattering, double extinction)
 {
   vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(
-    interlume::SampleDensity(clouds, bounds, cells), interlume::MakeCloudMedium(extinction));
+    interlume::SampleDensity(clouds, bounds, cells), interlume::MakeCloudProperty(extinction));
   Scatter(volume, scattering, ANISOTROPY);
   return volume;
 }

@@ -34,13 +34,14 @@ vtkSmartPointer<vtkSpatialObject> Arrange(vtkSmartPointer<vtkSpatialObject> obje
 vtkSmartPointer<vtkImageData> SampleRoom()
 {
   return Sample(
-    Unite({ Arrange(Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT),
-                      0.05),
-              { -0.5, 0.1, 0.0 }, -20.0, 0.0, 0.85),
-      Arrange(
-        Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.04),
-        { 0.54, 0.32, 0.41 }, -28.0, 80.0, 0.42),
-      MakeRoom() }),
+    Unite(
+      { Arrange(SoftenEdges(
+                  vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.05),
+          { -0.5, 0.1, 0.0 }, -20.0, 0.0, 0.85),
+        Arrange(SoftenEdges(
+                  vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.04),
+          { 0.54, 0.32, 0.41 }, -28.0, 80.0, 0.42),
+        MakeRoom() }),
     vtkBoundingBox(-1.1, 1.05, -1.05, 1.1, -0.1, 1.35), 190);
 }
 }

@@ -14,10 +14,10 @@ namespace
 void BuildSphere(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
-    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModelSource::MakeModel(
+    gallery::Unite({ gallery::Place(gallery::SoftenEdges(vtkConstructiveModelSource::MakeModel(
                                       vtkConstructiveModelSource::TWO_SPHERES)),
                        { -0.15, 0.0, 0.0 }),
-      gallery::MakeDisk({ 0.1, 0.05, -0.5 }, 1.1, 0.06, gallery::Plaster()) }),
+      gallery::MakeDisk({ 0.1, 0.05, -0.5 }, 1.1, 0.06, gallery::PlasterColor()) }),
     vtkBoundingBox(-1.05, 1.25, -1.1, 1.2, -0.6, 0.83), 200);
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     { gallery::MakeParallelProjector(
@@ -32,7 +32,7 @@ void BuildProtein(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all =
     gallery::Unite({ gallery::Place(gallery::MakeProtein(), { 0.0, 0.0, 0.55 }, 90.0),
-      gallery::MakeDisk({ 0.08, 0.08, 0.0 }, 0.78, 0.05, gallery::Plaster()) });
+      gallery::MakeDisk({ 0.08, 0.08, 0.0 }, 0.78, 0.05, gallery::PlasterColor()) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-0.75, 0.9, -0.75, 0.9, -0.08, 1.1), 200);
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),

@@ -31,8 +31,8 @@ void Build(gallery::Stage& stage)
     { 0.62, 0.12, 0.0 }, 25.0);
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
     gallery::Unite(
-      { gallery::MakeBox({ -1.6, -0.95, -0.05 }, { 1.6, 1.0, 0.0 }, gallery::Plaster()),
-        gallery::MakeBox({ -1.6, 0.95, -0.05 }, { 1.6, 1.0, 1.35 }, gallery::Plaster()), cube,
+      { gallery::MakeBox({ -1.6, -0.95, -0.05 }, { 1.6, 1.0, 0.0 }, gallery::PlasterColor()),
+        gallery::MakeBox({ -1.6, 0.95, -0.05 }, { 1.6, 1.0, 1.35 }, gallery::PlasterColor()), cube,
         MakeRound(
           vtkSpatialPrimitive::SPHERE, { -0.12, -0.25, 0.34 }, 0.34, 1.0, { 0.90, 0.60, 0.30 }),
         MakeRound(

@@ -67,7 +67,7 @@ vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double fraction)
     });
 }
 
-vtkSmartPointer<vtkImageData> MakeSoftDisk(double edge)
+vtkSmartPointer<vtkImageData> MakeSoftDiskImage(double edge)
 {
   constexpr int size = 256;
   return MakePattern(size, size,
@@ -116,7 +116,7 @@ vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const 
   double diameter, double intensity, const vtkColor3d& color)
 {
   vtkSmartPointer<vtkProjectiveLight> light =
-    MakeParallelProjector(position, center, diameter, diameter, intensity, MakeSoftDisk(0.3));
+    MakeParallelProjector(position, center, diameter, diameter, intensity, MakeSoftDiskImage(0.3));
   light->SetDiffuseColor(color[0], color[1], color[2]);
   return light;
 }

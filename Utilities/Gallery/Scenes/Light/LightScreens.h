@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double fraction);
 
 /// Returns an image of a white disk on black. The disk touches the edges of the image. The width of
 /// its soft edge is \a edge times the radius.
-vtkSmartPointer<vtkImageData> MakeSoftDisk(double edge);
+vtkSmartPointer<vtkImageData> MakeSoftDiskImage(double edge);
 
 /**
  * Returns a point light at \a position that shines through a screen of width x height around

@@ -17,8 +17,9 @@ void Build(gallery::Stage& stage)
     gallery::MakeBox({ -0.36, -0.36, 0.0 }, { 0.36, 0.36, 0.72 }, { 0.90, 0.62, 0.34 }),
     { 0.0, -0.05, 0.0 }, 30.0);
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
-    gallery::Unite({ gallery::MakeBox({ -1.6, -0.9, -0.05 }, { 1.6, 1.1, 0.0 }, gallery::Plaster()),
-      gallery::MakeBox({ -1.6, 1.05, -0.05 }, { 1.6, 1.1, 1.3 }, gallery::Plaster()), cube }),
+    gallery::Unite({ gallery::MakeBox(
+                       { -1.6, -0.9, -0.05 }, { 1.6, 1.1, 0.0 }, gallery::PlasterColor()),
+      gallery::MakeBox({ -1.6, 1.05, -0.05 }, { 1.6, 1.1, 1.3 }, gallery::PlasterColor()), cube }),
     box, 230);
   vtkSmartPointer<vtkImageData> stripes = gallery::MakePattern(1024, 16,
     [](double u, double)

@@ -135,7 +135,7 @@ public:
     filter->SetInputConnection(text->GetOutputPort());
     filter->SetTransform(transform);
     filter->Update();
-    this->Add(filter->GetOutput(), gallery::Ink());
+    this->Add(filter->GetOutput(), gallery::TextColor());
   }
 
 private:
@@ -193,9 +193,9 @@ void DrawGeometry(gallery::Panel& panel)
   drawing.AddLine({ GetEnd(degrees, -1.0), GetEnd(degrees, 1.0) }, ExactColor(), 0.07);
   drawing.AddLine({ { { -half, TO_OCCLUDER } }, { { half, TO_OCCLUDER } } }, VirtualColor(), 0.05);
   drawing.AddLine(
-    { { { -HALF_OCCLUDER, 0.0 } }, { { HALF_OCCLUDER, 0.0 } } }, gallery::Ink(), 0.06);
+    { { { -HALF_OCCLUDER, 0.0 } }, { { HALF_OCCLUDER, 0.0 } } }, gallery::TextColor(), 0.06);
   drawing.AddLine(
-    { { { -1.45, -TO_RECEIVER } }, { { 1.45, -TO_RECEIVER } } }, gallery::Pencil(), 0.03);
+    { { { -1.45, -TO_RECEIVER } }, { { 1.45, -TO_RECEIVER } } }, gallery::OutlineColor(), 0.03);
   drawing.AddText("occluder", { { 0.0, -0.24 } }, 0.16, true);
   drawing.AddText("receiver", { { 0.0, -TO_RECEIVER - 0.2 } }, 0.16, true);
 }
@@ -209,7 +209,8 @@ vtkColor3d SourceColor()
 void DrawAxes(Drawing& drawing, const std::vector<std::string>& across,
   const std::vector<std::string>& up, const std::array<std::string, 2>& titles)
 {
-  const auto color = [](std::size_t i) { return i == 0 ? gallery::Ink() : gallery::Pencil(); };
+  const auto color = [](std::size_t i)
+  { return i == 0 ? gallery::TextColor() : gallery::OutlineColor(); };
   const auto width = [](std::size_t i) { return i == 0 ? 0.018 : 0.008; };
   for (std::size_t i = 0; i < up.size(); ++i)
   {
@@ -286,7 +287,7 @@ void DrawMeasured(gallery::Panel& panel)
   reference::VolumeStage stage(reference::MakeHalfPlane(1.0, 0.2).Size);
   const std::vector<std::pair<int, vtkColor3d>> methods = {
     { vtkShadowedSliceMapper::ACCUMULATED_CONVOLUTION, SourceColor() },
-    { vtkShadowedSliceMapper::SAMPLE_LAYERS, gallery::Ink() }
+    { vtkShadowedSliceMapper::SAMPLE_LAYERS, gallery::TextColor() }
   };
   for (const auto& method : methods)
   {
@@ -309,7 +310,7 @@ void Build(gallery::Stage& stage)
   DrawMeasured(stage.AddPanel("in images of a half plane"));
   stage.SetColorKey("",
     { { ExactColor(), "exact" }, { VirtualColor(), "virtual light, equation 2.14" },
-      { gallery::Ink(), "default method" }, { SourceColor(), "accumulated convolution" } });
+      { gallery::TextColor(), "default method" }, { SourceColor(), "accumulated convolution" } });
 }
 
 const gallery::SceneRegistration registration(

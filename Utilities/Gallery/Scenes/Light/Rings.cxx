@@ -14,7 +14,7 @@ namespace
 vtkSmartPointer<vtkSpatialObject> MakeRings()
 {
   return gallery::Place(
-    gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS)),
+    gallery::SoftenEdges(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS)),
     { 0.0, 0.0, 0.42 }, 8.0);
 }
 }
@@ -22,7 +22,7 @@ vtkSmartPointer<vtkSpatialObject> MakeRings()
 vtkSmartPointer<vtkImageData> gallery::SampleRings()
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { MakeRings(), gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.25, 0.06, gallery::Plaster()) });
+    { MakeRings(), gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.25, 0.06, gallery::PlasterColor()) });
   return gallery::Sample(all, vtkBoundingBox(-1.3, 1.3, -1.3, 1.3, -0.1, 0.8), 220);
 }
 
@@ -43,8 +43,9 @@ void BuildSoft(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(gallery::Unite({ MakeRings(), gallery::MakeFloor({ 0.88, 0.84, 0.78 }) }),
       vtkBoundingBox(-1.7, 1.7, -1.7, 1.7, -0.06, 0.8), 260);
-  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.1, -0.8, 4.4 }, 0.85), 1.2, 0.0, 512);
+  gallery::SoftShadowPair pair =
+    gallery::AddSoftShadowPair(stage, image, gallery::MakeSolidMedium(image),
+      gallery::MakeStudioLights({ -1.1, -0.8, 4.4 }, 0.85), 1.2, 0.0, 512);
   pair.UseBackdrop({ 0.84, 0.86, 0.88 }, { 0.50, 0.58, 0.66 });
   pair.Look({ 0.1, -1.0, 1.3 }, vtkBoundingBox(-0.94, 1.2, -0.1, 0.1, -1.5, 1.6));
 }

@@ -13,8 +13,8 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite({ gallery::MakeFloor({ 0.78, 0.76, 0.74 }),
-    gallery::Place(
-      gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT)),
+    gallery::Place(gallery::SoftenEdges(
+                     vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT)),
       { -0.08, 0.0, 0.0 }, -28.0) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-1.2, 1.1, -1.0, 0.9, -0.06, 1.26), 200);

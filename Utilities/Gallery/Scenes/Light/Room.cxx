@@ -29,8 +29,8 @@ vtkSmartPointer<vtkSpatialObject> MakePuff()
 /// Returns upright rings that lean on the wall at +y.
 vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
 {
-  vtkSmartPointer<vtkSpatialObject> rings = Unite(
-    { Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.03) });
+  vtkSmartPointer<vtkSpatialObject> rings = Unite({ SoftenEdges(
+    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.03) });
   vtkNew<vtkTransform> transform;
   transform->Translate(0.45, 0.66, 0.47);
   transform->RotateX(74.0);
@@ -42,8 +42,8 @@ vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
 
 vtkSmartPointer<vtkSpatialObject> MakeSmallRobot()
 {
-  vtkSmartPointer<vtkSpatialObject> robot = Unite(
-    { Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.03) });
+  vtkSmartPointer<vtkSpatialObject> robot = Unite({ SoftenEdges(
+    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.03) });
   vtkNew<vtkTransform> transform;
   transform->Translate(-0.4, 0.1, 0.0);
   transform->RotateZ(20.0);
@@ -57,10 +57,11 @@ vtkSmartPointer<vtkSpatialObject> MakeRoom()
 {
   const double thickness = 0.05;
   const vtkColor3d floor(0.70, 0.58, 0.46);
-  return Unite(
-    { MakeBox({ -1.0 - thickness, -1.0, -thickness }, { 1.0, 1.0 + thickness, 0.0 }, floor),
-      MakeBox({ -1.0 - thickness, -1.0, -thickness }, { -1.0, 1.0 + thickness, 1.3 }, Plaster()),
-      MakeBox({ -1.0 - thickness, 1.0, -thickness }, { 1.0, 1.0 + thickness, 1.3 }, Plaster()) });
+  return Unite({ MakeBox(
+                   { -1.0 - thickness, -1.0, -thickness }, { 1.0, 1.0 + thickness, 0.0 }, floor),
+    MakeBox({ -1.0 - thickness, -1.0, -thickness }, { -1.0, 1.0 + thickness, 1.3 }, PlasterColor()),
+    MakeBox(
+      { -1.0 - thickness, 1.0, -thickness }, { 1.0, 1.0 + thickness, 1.3 }, PlasterColor()) });
 }
 
 vtkSmartPointer<vtkImageData> SampleFurnishedRoom(int resolution)

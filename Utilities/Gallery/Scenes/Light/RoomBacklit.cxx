@@ -19,7 +19,7 @@ namespace
 /// Returns a room that is open only toward the camera. The wall at +y has a window on the left.
 vtkSmartPointer<vtkSpatialObject> MakeShell()
 {
-  const vtkColor3d plaster = gallery::Plaster();
+  const vtkColor3d plaster = gallery::PlasterColor();
   const vtkColor3d wood(0.60, 0.42, 0.27);
   auto wall = vtkSmartPointer<vtkSpatialOperation>::New();
   wall->SetOperationToDifference();
@@ -53,11 +53,11 @@ void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
     gallery::Unite({ MakeShell(),
-      gallery::Place(
-        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::DESK)),
+      gallery::Place(gallery::SoftenEdges(
+                       vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::DESK)),
         { 0.5, 0.3, 0.0 }, 6.0),
-      gallery::Place(
-        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::CHAIR)),
+      gallery::Place(gallery::SoftenEdges(
+                       vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::CHAIR)),
         { -0.15, 0.1, 0.0 }, 118.0) }),
     vtkBoundingBox(-1.3, 1.3, -1.04, 1.1, -0.1, 1.6), 220);
   vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.5, 1.0, 0.56 }, 7.5);

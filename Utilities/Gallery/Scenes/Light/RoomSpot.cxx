@@ -10,7 +10,7 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkProjectiveLight> spot = gallery::MakeProjector(
-    { -1.2, -1.5, 2.7 }, { 0.0, 0.15, 0.3 }, 1.7, 1.7, 2.2, gallery::MakeSoftDisk(0.25));
+    { -1.2, -1.5, 2.7 }, { 0.0, 0.15, 0.3 }, 1.7, 1.7, 2.2, gallery::MakeSoftDiskImage(0.25));
   spot->SetDiffuseColor(1.0, 0.93, 0.80);
   gallery::AddHazyRoom(stage, { spot, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.3) });
 }

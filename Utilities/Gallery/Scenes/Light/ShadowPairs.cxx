@@ -37,7 +37,7 @@ const gallery::SceneRegistration sphereShadow(
 void BuildCurvedShadows(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all =
-    gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModelSource::MakeModel(
+    gallery::Unite({ gallery::Place(gallery::SoftenEdges(vtkConstructiveModelSource::MakeModel(
                                       vtkConstructiveModelSource::TWO_SPHERES)),
                        { 0.0, 0.0, 0.5 }, -60.0),
       gallery::MakeFloor({ 0.62, 0.66, 0.60 }) });

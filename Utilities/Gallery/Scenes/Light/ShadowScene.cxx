@@ -183,7 +183,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeDisk(
   return disk;
 }
 
-vtkColor3d Plaster()
+vtkColor3d PlasterColor()
 {
   return { 0.90, 0.88, 0.84 };
 }
@@ -224,7 +224,7 @@ vtkSmartPointer<vtkSpatialObject> Unite(
   return all;
 }
 
-vtkSmartPointer<vtkSpatialObject> Soften(vtkSpatialObject* object, double width)
+vtkSmartPointer<vtkSpatialObject> SoftenEdges(vtkSpatialObject* object, double width)
 {
   if (auto* solid = vtkSpatialPrimitive::SafeDownCast(object))
   {
@@ -234,7 +234,7 @@ vtkSmartPointer<vtkSpatialObject> Soften(vtkSpatialObject* object, double width)
   {
     for (int i = 0; i < operation->GetNumberOfOperands(); ++i)
     {
-      Soften(operation->GetOperand(i), width);
+      SoftenEdges(operation->GetOperand(i), width);
     }
   }
   return object;

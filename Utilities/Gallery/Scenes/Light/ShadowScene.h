@@ -44,7 +44,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeDisk(
 ///@}
 
 /// Returns a color for the ground and walls.
-vtkColor3d Plaster();
+vtkColor3d PlasterColor();
 
 /// Returns a floor whose upper side is at \a height and that extends past the sides of every
 /// volume. Frame it so that only its far edge is in view.
@@ -62,14 +62,14 @@ vtkSmartPointer<vtkSpatialObject> Place(
 vtkSmartPointer<vtkSpatialObject> Unite(
   const std::vector<vtkSmartPointer<vtkSpatialObject>>& objects);
 
-/// Width of the soft edges of boxes and disks, and the default of Soften().
+/// Width of the soft edges of boxes and disks, and the default of SoftenEdges().
 constexpr double EDGE_WIDTH = 0.02;
 
 /**
  * Sets the edge width of all primitives in \a object, and returns \a object. Soft edges prevent
  * artifacts of the sampling grid in normals.
  */
-vtkSmartPointer<vtkSpatialObject> Soften(vtkSpatialObject* object, double width = EDGE_WIDTH);
+vtkSmartPointer<vtkSpatialObject> SoftenEdges(vtkSpatialObject* object, double width = EDGE_WIDTH);
 
 /**
  * Samples \a object within \a box on a grid of \a resolution points along the longest side. Returns

@@ -32,8 +32,8 @@ void BuildHypertexture(gallery::Stage& stage)
 void BuildHypertextureSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleSphere();
-  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.1, -1.3, 4.6 }), 1.1, 0.0, 640);
+  gallery::SoftShadowPair pair = gallery::AddSoftShadowPair(stage, image,
+    gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -1.1, -1.3, 4.6 }), 1.1, 0.0, 640);
   pair.UseBackdrop({ 0.86, 0.80, 0.74 }, { 0.36, 0.26, 0.28 });
   pair.Look({ 0.15, -1.0, 0.55 }, vtkBoundingBox(-0.66, 0.98, -0.1, 0.1, -0.3, 1.3));
 }
@@ -53,8 +53,8 @@ const gallery::SceneRegistration hypertextureSoft({ "hypertexture-soft", "2.37",
 vtkSmartPointer<vtkImageData> SampleRobot()
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(
-        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT)),
+    { gallery::Place(gallery::SoftenEdges(
+                       vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT)),
         { -0.25, 0.0, 0.0 }, -28.0),
       gallery::MakeFloor({ 0.84, 0.78, 0.68 }) });
   return gallery::Sample(all, vtkBoundingBox(-1.6, 1.55, -1.15, 1.05, -0.06, 1.26), 300, 0.9);
@@ -73,8 +73,9 @@ void BuildRobot(gallery::Stage& stage)
 void BuildRobotSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleRobot();
-  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.6, -2.0, 4.6 }, 0.85), 0.7, 0.0, 640);
+  gallery::SoftShadowPair pair =
+    gallery::AddSoftShadowPair(stage, image, gallery::MakeSolidMedium(image),
+      gallery::MakeStudioLights({ -1.6, -2.0, 4.6 }, 0.85), 0.7, 0.0, 640);
   pair.UseBackdrop({ 0.86, 0.88, 0.90 }, { 0.34, 0.38, 0.52 });
   pair.Look({ 0.15, -1.0, 0.6 }, vtkBoundingBox(-0.72, 0.78, -0.1, 0.1, -0.4, 1.25));
 }

@@ -9,7 +9,7 @@
 
 namespace gallery
 {
-Lights MakeRoundLights(const Lights& lights, double diameter)
+Lights MakeDiskLights(const Lights& lights, double diameter)
 {
   Lights round;
   for (const vtkSmartPointer<vtkLight>& light : lights)
@@ -27,17 +27,17 @@ Lights MakeRoundLights(const Lights& lights, double diameter)
   return round;
 }
 
-void SoftPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) const
+void SoftShadowPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) const
 {
   ShadowPair{ this->Hard, this->Soft }.Look(from, frame);
 }
 
-void SoftPair::UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const
+void SoftShadowPair::UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const
 {
   ShadowPair{ this->Hard, this->Soft }.UseBackdrop(lower, upper);
 }
 
-SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
+SoftShadowPair AddSoftShadowPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double diameter, double surfaceGradient, int lightBuffer)
 {
   Panel& hard = stage.AddPanel("hard shadows");
@@ -53,7 +53,7 @@ SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* prope
       GetSlicedMapper(volume)->SetNumberOfLightSamples(24);
     }
     panel->Add(volume);
-    panel->SetLights(panel == &soft ? MakeRoundLights(lights, diameter) : lights);
+    panel->SetLights(panel == &soft ? MakeDiskLights(lights, diameter) : lights);
   }
   return { hard, soft };
 }

@@ -12,10 +12,10 @@ namespace gallery
 /**
  * Returns \a lights with each shadow-casting light replaced by a disk light of \a diameter.
  */
-Lights MakeRoundLights(const Lights& lights, double diameter);
+Lights MakeDiskLights(const Lights& lights, double diameter);
 
 /// Two panels of the same volume, with hard and with soft shadows.
-struct SoftPair
+struct SoftShadowPair
 {
   Panel& Hard;
   Panel& Soft;
@@ -29,11 +29,11 @@ struct SoftPair
 
 /**
  * Adds two panels of \a image, one lit by \a lights, the other by disk lights of \a diameter at the
- * positions of shadow-casting lights. SoftPair::Look() gives them a common camera. \a lightBuffer
- * is the size of the light buffers of disk lights. Flat surfaces, and surfaces at grazing angles to
- * the light, need larger buffers.
+ * positions of shadow-casting lights. SoftShadowPair::Look() gives them a common camera. \a
+ * lightBuffer is the size of the light buffers of disk lights. Flat surfaces, and surfaces at
+ * grazing angles to the light, need larger buffers.
  */
-SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
+SoftShadowPair AddSoftShadowPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double diameter, double surfaceGradient = 0.0, int lightBuffer = 320);
 }
 

@@ -75,7 +75,7 @@ vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degree
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->RotateZ(degrees);
-  const vtkColor3d color = Pencil();
+  const vtkColor3d color = OutlineColor();
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetRepresentationToWireframe();
   actor->GetProperty()->SetLineWidth(2.0);
@@ -213,7 +213,8 @@ void BuildBeamSoft(gallery::Stage& stage)
   vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 18.0);
   lamp->SetDiffuseColor(1.0, 0.86, 0.6);
   // The maximum surface gradient makes scattering nearly isotropic, so that edges are not shaded.
-  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, medium, { lamp }, 0.4, 1.0, 192);
+  gallery::SoftShadowPair pair =
+    gallery::AddSoftShadowPair(stage, image, medium, { lamp }, 0.4, 1.0, 192);
   pair.UseBackdrop({ 0.13, 0.16, 0.20 }, { 0.04, 0.05, 0.07 });
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
   {

@@ -63,7 +63,7 @@ gallery::Panel& AddSoftPanel(gallery::Stage& stage, const std::string& caption, 
   gallery::GetSlicedMapper(volume)->SetLightBufferSize(224);
   gallery::GetSlicedMapper(volume)->SetNumberOfLightSamples(SAMPLES);
   panel.Add(volume);
-  panel.SetLights(gallery::MakeRoundLights(lights, diameter));
+  panel.SetLights(gallery::MakeDiskLights(lights, diameter));
   AddMushrooms(panel);
   return panel;
 }

@@ -34,7 +34,7 @@ ModelPart MakeBlock(
 /// Returns a floor, walls and a ceiling, with a window in the wall at +y.
 Model MakeShell()
 {
-  const vtkColor3d plaster = gallery::Plaster();
+  const vtkColor3d plaster = gallery::PlasterColor();
   const vtkColor3d floor(0.62, 0.47, 0.34);
   const vtkColor3d frame(0.52, 0.36, 0.24);
   Model shell = { MakeBlock({ { -1.3, -1.1, -0.06 } }, { { 1.3, 1.06, 0.0 } }, floor),

@@ -70,7 +70,7 @@ void BuildSoft(gallery::Stage& stage)
   for (const bool isSoft : { false, true })
   {
     gallery::Panel& panel = stage.AddPanel(isSoft ? "soft shadows" : "hard shadows");
-    AddMushrooms(panel, ground, isSoft ? gallery::MakeRoundLights(MakeLights(), 1.3) : MakeLights(),
+    AddMushrooms(panel, ground, isSoft ? gallery::MakeDiskLights(MakeLights(), 1.3) : MakeLights(),
       isSoft ? 16 : 1);
     panel.Frame(vtkBoundingBox(-0.8, 0.98, -0.1, 0.1, -0.16, 1.15));
   }

@@ -82,13 +82,13 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
     Panel& panel = stage.AddPanel(boundary.Caption, { -0.85, -0.25, 1.0 });
     panel.Add(
       MakeVolumeOfIntervals(MakeTimeBoundary(interval, { boundary.Kind }), { boundary.Look }));
-    panel.Add(MakeDeltaWing(Pencil()));
+    panel.Add(MakeDeltaWing(OutlineColor()));
   }
 }
 
 void BuildTimeDelta(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 15.0);
+  gallery::Panel& panel = gallery::AddTimePanel(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 15.0);
   panel.SetBackground({ 0.02, 0.035, 0.08 });
   panel.Add(MakeDeltaWing({ 0.2, 0.23, 0.3 }));
   panel.LookFrom({ -0.6, -0.8, 0.9 }, { 0.0, 0.0, 1.0 });

@@ -47,13 +47,13 @@ void LookAtWake(Panel& panel)
 /// Returns the cylinder: surface i = 0 of the grid of \a wake, which must be up to date.
 vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtkColor3d& color)
 {
-  return MakeActor(MakeWall(wake->GetOutput(), 0, 0), color);
+  return MakeActor(MakeGridSurface(wake->GetOutput(), 0, 0), color);
 }
 
 void BuildTimeCylinder(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.9, 6, 9.0);
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, wake, LOWER, UPPER, 1.9);
+  gallery::Panel& panel = gallery::AddTimePanel(stage, wake, LOWER, UPPER, 1.9);
   panel.SetBackground({ 0.03, 0.025, 0.05 });
   panel.Add(MakeCylinder(wake, { 0.3, 0.31, 0.33 }));
   LookAtWake(panel);
@@ -96,7 +96,7 @@ void BuildTimePriority(gallery::Stage& stage)
     mapper->SetLayerPriority(0, panel == &later ? 0.0 : 2.0);
     mapper->SetLayerPriority(1, 1.0);
     panel->Add(volume);
-    panel->Add(MakeCylinder(wake, gallery::Pencil()));
+    panel->Add(MakeCylinder(wake, gallery::OutlineColor()));
   }
   stage.SetColorKey("", { { yellow, "time 0" }, { red, "time 0.6" } });
 }

@@ -32,7 +32,7 @@ vtkSmartPointer<vtkActor> MakeEdges(vtkUnstructuredGrid* mug)
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();
   edges->Update();
-  vtkSmartPointer<vtkActor> actor = gallery::MakeActor(edges->GetOutput(), gallery::Pencil());
+  vtkSmartPointer<vtkActor> actor = gallery::MakeActor(edges->GetOutput(), gallery::OutlineColor());
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetLineWidth(2.0);
   return actor;
@@ -52,7 +52,7 @@ void Build(gallery::Stage& stage)
 
     gallery::Panel& panel = stage.AddPanel(array);
     panel.SetBackground(gallery::DarkBackground());
-    vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeInTime(tetrahedra, times, 12.0);
+    vtkSmartPointer<vtkVolume> volume = gallery::MakeTimeColoredVolume(tetrahedra, times, 12.0);
     panel.Add(volume);
     panel.Add(MakeEdges(mug->GetOutput()));
     panel.LookFrom({ 0.3, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });

@@ -22,8 +22,7 @@ void Draw(gallery::Stage& stage, const std::vector<double>& times, double lower,
   vortices->SetDimensions(96, 96, 96);
   vortices->SetTimeRange(times.front(), times.back());
   vortices->SetNumberOfTimeSteps(static_cast<int>(times.size()));
-  gallery::AddPanelInTime(stage, vortices, lower, 2.0, extinction)
-    .LookFrom(from, { 0.0, 0.0, 1.0 });
+  gallery::AddTimePanel(stage, vortices, lower, 2.0, extinction).LookFrom(from, { 0.0, 0.0, 1.0 });
 }
 
 void BuildLate(gallery::Stage& stage)

@@ -39,7 +39,7 @@ vtkSmartPointer<vtkAnalyticFieldSource> MakeWave(int steps, double reach)
 
 void BuildWaveInTime(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeWave(5, 1.25), -0.15, 0.15, 1.1);
+  gallery::Panel& panel = gallery::AddTimePanel(stage, MakeWave(5, 1.25), -0.15, 0.15, 1.1);
   panel.UseParallelProjection();
   panel.LookFrom({ 0.25, -1.0, 0.05 }, { 0.0, 0.0, 1.0 });
 }
@@ -70,7 +70,8 @@ void BuildTimeBoundaries(gallery::Stage& stage)
   {
     gallery::Panel& panel =
       stage.AddPanel(captions[static_cast<std::size_t>(kind)], { 0.25, -1.0, 0.55 });
-    vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeInTime(tetrahedra, { 0.0, 1.0 }, 1.0);
+    vtkSmartPointer<vtkVolume> volume =
+      gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 1.0);
     panel.Add(volume);
     panel.Add(
       gallery::MakeActor(gallery::MakeSurface(gallery::MakeTimeBoundary(interval, { kind })),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Frame/PiecewiseLinearTransfer.h"
+#include "Frame/PiecewiseLinearTransferFunction.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
@@ -113,7 +113,7 @@ bool IsClose(const Value& value, const Value& straight)
 }
 }
 
-void PiecewiseLinearTransfer::Build(
+void PiecewiseLinearTransferFunction::Build(
   vtkVolumeProperty* property, int component, const double range[2], double unit)
 {
   const Functions functions(property, component, unit);
@@ -171,7 +171,7 @@ void PiecewiseLinearTransfer::Build(
   this->SetNodes(retained);
 }
 
-void PiecewiseLinearTransfer::SetNodes(const std::vector<Node>& nodes)
+void PiecewiseLinearTransferFunction::SetNodes(const std::vector<Node>& nodes)
 {
   this->Pieces.clear();
   this->Starts.clear();
@@ -208,7 +208,7 @@ void PiecewiseLinearTransfer::SetNodes(const std::vector<Node>& nodes)
   }
 }
 
-bool PiecewiseLinearTransfer::HasOneColor() const
+bool PiecewiseLinearTransferFunction::HasConstantColor() const
 {
   const Sample& first = this->Pieces[0].Value;
   for (const Piece& piece : this->Pieces)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Order/EyeSides.h"
+#include "Order/FrontNeighbors.h"
 
 #include "Common/Vectors.h"
 #include "Order/EdgeOnRule.h"
@@ -61,7 +61,7 @@ unsigned char FindOrientation(const TetrahedraMesh& mesh, std::uint32_t tetrahed
 }
 }
 
-void EyeSides::Build(const TetrahedraMesh& mesh, const std::vector<std::uint32_t>& twins)
+void FrontNeighbors::Build(const TetrahedraMesh& mesh, const std::vector<std::uint32_t>& twins)
 {
   this->Radius = mesh.GetRadius();
   const std::uint32_t number = mesh.GetNumberOfTetrahedra();
@@ -97,7 +97,7 @@ void EyeSides::Build(const TetrahedraMesh& mesh, const std::vector<std::uint32_t
   }
 }
 
-void EyeSides::Compute(
+void FrontNeighbors::Compute(
   const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<unsigned char>& inFront) const
 {
   const EdgeOnRule rule(view, this->Radius);
@@ -108,9 +108,9 @@ void EyeSides::Compute(
       for (vtkIdType t = first; t < last; ++t)
       {
         const Edges e(mesh, static_cast<std::uint32_t>(t));
-        const glm::dvec3 towardEye = rule.GetTowardEye(e.Origin);
+        const glm::dvec3 towardEye = rule.GetVectorToEye(e.Origin);
         const glm::dvec3 towardEye1 =
-          rule.GetTowardEye(glm::make_vec3(mesh.GetPoint(mesh.GetCorners(t)[1])));
+          rule.GetVectorToEye(glm::make_vec3(mesh.GetPoint(mesh.GetCorners(t)[1])));
         const glm::dvec3 edge12 = e.V - e.U;
         const glm::dvec3 edge13 = e.W - e.U;
         const double u = Vectors::InfinityNorm(e.U);
@@ -134,7 +134,7 @@ void EyeSides::Compute(
     });
 }
 
-std::array<std::uint32_t, 3> EyeSides::GetOutwardCorners(
+std::array<std::uint32_t, 3> FrontNeighbors::GetOutwardCorners(
   const TetrahedraMesh& mesh, std::uint32_t face) const
 {
   const std::uint32_t* corners = mesh.GetCorners(face / 4);
@@ -148,7 +148,7 @@ std::array<std::uint32_t, 3> EyeSides::GetOutwardCorners(
   return ids;
 }
 
-std::size_t EyeSides::GetBytes() const
+std::size_t FrontNeighbors::GetBytes() const
 {
   return this->Tetrahedra.capacity() + this->OpenFaces.capacity() * sizeof(std::uint32_t);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Order/RadixOrder.h"
+#include "Order/RadixSorter.h"
 
 #include "vtkSMPTools.h"
 
@@ -19,7 +19,7 @@ constexpr std::uint32_t MaximumChunks = 32;
 }
 
 template <typename Work>
-void RadixOrder::ForChunks(const Work& work) const
+void RadixSorter::ForEachChunk(const Work& work) const
 {
   const std::uint64_t number = this->Number;
   const std::uint64_t chunks = this->Chunks;
@@ -34,12 +34,12 @@ void RadixOrder::ForChunks(const Work& work) const
     });
 }
 
-void RadixOrder::Prepare(const std::uint32_t* keys, std::uint32_t number)
+void RadixSorter::Prepare(const std::uint32_t* keys, std::uint32_t number)
 {
   this->Number = number;
   this->Chunks = std::clamp(number / MinimumChunk, 1u, MaximumChunks);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges(this->Chunks);
-  this->ForChunks(
+  this->ForEachChunk(
     [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
     {
       std::uint32_t minimum = ~0u;
@@ -66,11 +66,11 @@ void RadixOrder::Prepare(const std::uint32_t* keys, std::uint32_t number)
 }
 
 template <typename Source, typename Destination>
-void RadixOrder::Scatter(Digit digit, const Source& source, const Destination& destination)
+void RadixSorter::Scatter(Digit digit, const Source& source, const Destination& destination)
 {
   const std::uint32_t values = digit.Mask + 1;
   this->Counts.resize(static_cast<std::size_t>(this->Chunks) * values);
-  this->ForChunks(
+  this->ForEachChunk(
     [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
     {
       std::uint32_t* counts = &this->Counts[static_cast<std::size_t>(chunk) * values];
@@ -89,7 +89,7 @@ void RadixOrder::Scatter(Digit digit, const Source& source, const Destination& d
       position += std::exchange(count, position);
     }
   }
-  this->ForChunks(
+  this->ForEachChunk(
     [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
     {
       std::uint32_t* positions = &this->Counts[static_cast<std::size_t>(chunk) * values];
@@ -101,7 +101,7 @@ void RadixOrder::Scatter(Digit digit, const Source& source, const Destination& d
     });
 }
 
-void RadixOrder::Sort(const std::uint32_t* keys, std::uint32_t number, std::uint32_t* order)
+void RadixSorter::Sort(const std::uint32_t* keys, std::uint32_t number, std::uint32_t* order)
 {
   this->Prepare(keys, number);
   const int passes = (this->Bits + DigitBits - 1) / DigitBits;
@@ -148,7 +148,7 @@ void RadixOrder::Sort(const std::uint32_t* keys, std::uint32_t number, std::uint
   }
 }
 
-std::size_t RadixOrder::GetBytes() const
+std::size_t RadixSorter::GetBytes() const
 {
   return (this->Items[0].capacity() + this->Items[1].capacity()) * sizeof(Item) +
     this->Counts.capacity() * sizeof(std::uint32_t);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cases/MovedPieces.h"
+#include "Cases/TransformedPieces.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace interlume
 
 namespace
 {
-using Slot = MovedPieces::Slot;
+using Slot = TransformedPieces::Slot;
 // One bit per edge of the lifted cell (the prism over the cell): lower edges, upper edges, then
 // vertical edges, which represent the vertices.
 using EdgeSet = std::uint64_t;
@@ -146,7 +146,7 @@ private:
 };
 }
 
-std::vector<MovedPieces::Slot> MovedPieces::Move(const std::vector<Slot>& pieces,
+std::vector<TransformedPieces::Slot> TransformedPieces::Move(const std::vector<Slot>& pieces,
   const CellSymmetries::Symmetry& symmetry, int vertices, int edges)
 {
   return Mover(symmetry, vertices, edges).Move(pieces);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_ExtractionFrame_h
-#define interlume_ExtractionFrame_h
+#ifndef interlume_ExtractionStages_h
+#define interlume_ExtractionStages_h
 
 #include "Common/ThreadLocals.h"
 #include "Pass/ExtractionContext.h"
@@ -11,7 +11,7 @@ namespace interlume
 {
 
 /**
- * @class   ExtractionFrame
+ * @class   ExtractionStages
  * @brief   runs the stages of an extraction: classify, count, allocate, write
  *
  * A pass derives from this class for one kind of grid and divides the grid into parts: rows or
@@ -29,7 +29,7 @@ namespace interlume
  *   of writing.
  */
 template <typename Pass, typename Local>
-class ExtractionFrame
+class ExtractionStages
 {
 public:
   /// Runs the stages. Returns false if the user aborted.
@@ -55,7 +55,7 @@ public:
   }
 
 protected:
-  explicit ExtractionFrame(const ExtractionContext& context)
+  explicit ExtractionStages(const ExtractionContext& context)
     : Context(context)
     , Values(*context.Values)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_SingleEscape_h
-#define interlume_SingleEscape_h
+#ifndef interlume_SingleScatteringEscape_h
+#define interlume_SingleScatteringEscape_h
 
 #include "Scattering/EscapeRays.h"
 #include "Scattering/SanitizedMedium.h"
@@ -12,7 +12,7 @@ namespace interlume
 {
 
 /**
- * @class   SingleEscape
+ * @class   SingleScatteringEscape
  * @brief   computes the fraction of singly scattered light that escapes the medium
  *
  * Follows 16384 random paths per light. A path enters a cell through a random point of its lit
@@ -22,10 +22,10 @@ namespace interlume
  * transmittance within cells is exact for any optical depth. The paths use a low-discrepancy
  * sequence and are the same in each run.
  */
-class SingleEscape
+class SingleScatteringEscape
 {
 public:
-  explicit SingleEscape(const PhaseFunction& phase);
+  explicit SingleScatteringEscape(const PhaseFunction& phase);
 
   /// Returns the sums for the singly scattered light of one light. \a direction separates the
   /// escaping light into Backward and Forward.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_EyeSides_h
-#define interlume_EyeSides_h
+#ifndef interlume_FrontNeighbors_h
+#define interlume_FrontNeighbors_h
 
 #include "Mesh/TetrahedraMesh.h"
 
@@ -12,7 +12,7 @@ namespace interlume
 {
 
 /**
- * @class   EyeSides
+ * @class   FrontNeighbors
  * @brief   finds the neighbors of each tetrahedron that must be drawn before it
  *
  * The neighbor across a face is in front if the camera is on the neighbor's side of the face's
@@ -20,7 +20,7 @@ namespace interlume
  * faces: faces of tetrahedra without volume, and faces with both tetrahedra on the same side, where
  * a mesh is folded.
  */
-class EyeSides
+class FrontNeighbors
 {
 public:
   /// Computes the data that do not depend on the view: signs of volumes, and open faces. \a twins

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_ScopedState_h
-#define interlume_ScopedState_h
+#ifndef interlume_ScopedGLState_h
+#define interlume_ScopedGLState_h
 
 #include "Loader/OpenGLFunctions.h"
 
@@ -10,12 +10,12 @@ namespace interlume
 {
 
 /**
- * @class   ScopedState
+ * @class   ScopedGLState
  * @brief   restores OpenGL's drawing state at the end of a scope
  */
-struct ScopedState
+struct ScopedGLState
 {
-  explicit ScopedState(vtkOpenGLState* state)
+  explicit ScopedGLState(vtkOpenGLState* state)
     : DepthTest(state, GL_DEPTH_TEST)
     , Blend(state, GL_BLEND)
     , Cull(state, GL_CULL_FACE)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "View/TetrahedraDepth.h"
+#include "View/OpaqueSceneDepth.h"
 
 #include "Offscreen/SceneDepth.h"
 
@@ -9,7 +9,7 @@
 namespace interlume
 {
 
-bool TetrahedraDepth::Read(vtkRenderer* renderer)
+bool OpaqueSceneDepth::Read(vtkRenderer* renderer)
 {
   const bool isDrawn = SceneDepth::Read(renderer, this->Buffer, this->Size) &&
     std::any_of(this->Buffer.begin(), this->Buffer.end(), [](float value) { return value < 1.0f; });
@@ -20,13 +20,13 @@ bool TetrahedraDepth::Read(vtkRenderer* renderer)
   return isDrawn;
 }
 
-void TetrahedraDepth::SetBuffer(const std::vector<float>& depths, const std::array<int, 2>& size)
+void OpaqueSceneDepth::SetBuffer(const std::vector<float>& depths, const std::array<int, 2>& size)
 {
   this->Buffer = depths;
   this->Size = size;
 }
 
-void TetrahedraDepth::Resample(const TetrahedraView& view, int stride, bool isCutByFarPlane)
+void OpaqueSceneDepth::Resample(const TetrahedraView& view, int stride, bool isCutByFarPlane)
 {
   this->Depths.clear();
   if (this->Buffer.empty() && !isCutByFarPlane)
@@ -45,7 +45,7 @@ void TetrahedraDepth::Resample(const TetrahedraView& view, int stride, bool isCu
         : this->Buffer[static_cast<std::size_t>(row) * this->Size[0] + column];
       this->Depths.push_back(value >= 1.0 && !isCutByFarPlane
           ? std::numeric_limits<float>::lowest()
-          : static_cast<float>(view.GetDepthOfBuffer(x + 0.5, y + 0.5, value)));
+          : static_cast<float>(view.GetDepthFromBuffer(x + 0.5, y + 0.5, value)));
     }
   }
 }

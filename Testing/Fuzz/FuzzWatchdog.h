@@ -12,21 +12,21 @@ namespace fuzz
 {
 
 /**
- * @class   FuzzWatch
+ * @class   FuzzWatchdog
  * @brief   reports the progress of a run and ends a case that takes too long
  *
  * A separate thread prints a line to the error stream every ten seconds, so that a long case can be
  * identified while it runs. If a case takes longer than the limit, the program prints the arguments
  * of the case and exits with an error.
  */
-class FuzzWatch
+class FuzzWatchdog
 {
 public:
   /// Sets the maximum wall-clock time of a case, in seconds.
-  explicit FuzzWatch(double limit);
-  ~FuzzWatch();
-  FuzzWatch(const FuzzWatch&) = delete;
-  FuzzWatch& operator=(const FuzzWatch&) = delete;
+  explicit FuzzWatchdog(double limit);
+  ~FuzzWatchdog();
+  FuzzWatchdog(const FuzzWatchdog&) = delete;
+  FuzzWatchdog& operator=(const FuzzWatchdog&) = delete;
 
   /// Starts a case: \a arguments reproduce it and \a done is the number of finished cases.
   void Begin(const std::string& arguments, int done, int count);

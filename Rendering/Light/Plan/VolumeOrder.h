@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_SlabOrder_h
-#define interlume_SlabOrder_h
+#ifndef interlume_VolumeOrder_h
+#define interlume_VolumeOrder_h
 
 #include "Plan/SlicePlan.h"
 
@@ -12,7 +12,7 @@ namespace interlume
 {
 
 /**
- * @class   SlabOrder
+ * @class   VolumeOrder
  * @brief   the order in which volumes are drawn within a slab
  *
  * If a plane parallel to a box face separates two boxes, the volume on the side of the sweep's
@@ -22,7 +22,7 @@ namespace interlume
  * Overlapping volumes alternate: one is drawn first in even slabs, the other in odd slabs. The
  * errors, which are of first order in the slab's optical depth, then cancel.
  */
-class SlabOrder
+class VolumeOrder
 {
 public:
   /// Computes the drawing order for a sweep. \a lights are the lights of the plan.

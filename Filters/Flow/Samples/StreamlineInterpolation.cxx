@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Samples/StreamlineSharing.h"
+#include "Samples/StreamlineInterpolation.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkImageData.h"
@@ -30,7 +30,7 @@ constexpr double Weights[Nodes - 1][Nodes] = { { 0.3125, 0.9375, -0.3125, 0.0625
   { -0.0625, 0.5625, 0.5625, -0.0625 }, { 0.0625, -0.3125, 0.9375, 0.3125 } };
 }
 
-bool StreamlineSharing::GetDimensions(vtkDataSet* samples, int dimensions[3])
+bool StreamlineInterpolation::GetDimensions(vtkDataSet* samples, int dimensions[3])
 {
   if (auto* image = vtkImageData::SafeDownCast(samples))
   {
@@ -50,7 +50,7 @@ bool StreamlineSharing::GetDimensions(vtkDataSet* samples, int dimensions[3])
   return false;
 }
 
-StreamlineSharing::StreamlineSharing(
+StreamlineInterpolation::StreamlineInterpolation(
   const int dimensions[3], const SampleResults& results, Measure measure, Seams seams)
   : Dimensions{ { dimensions[0], dimensions[1], dimensions[2] } }
   , Known(results)
@@ -69,7 +69,7 @@ StreamlineSharing::StreamlineSharing(
   }
 }
 
-StreamlineSharing::Ids StreamlineSharing::GetFirst() const
+StreamlineInterpolation::Ids StreamlineInterpolation::GetFirst() const
 {
   Ids ids;
   for (int k = 0; k < this->Dimensions[2]; k += this->First)
@@ -85,13 +85,13 @@ StreamlineSharing::Ids StreamlineSharing::GetFirst() const
   return ids;
 }
 
-bool StreamlineSharing::Next()
+bool StreamlineInterpolation::Next()
 {
   this->SetStride(this->Stride == 0 ? this->First : this->Stride / 2);
   return this->Stride > 1;
 }
 
-StreamlineSharing::Ids StreamlineSharing::GetFollowed()
+StreamlineInterpolation::Ids StreamlineInterpolation::GetSamplesToAdvect()
 {
   this->VisitBlocks(
     [this](std::size_t block)
@@ -103,9 +103,9 @@ StreamlineSharing::Ids StreamlineSharing::GetFollowed()
           at, [&](const Index& midpoint) { return this->Predict(midpoint, this->Stride, result); });
       this->Marks[block] = isKnown ? GOOD : NOT_GOOD;
     });
-  const bool isAny = this->IsAnyGood();
+  const bool isAny = this->HasGoodBlock();
   Ids ids;
-  this->VisitNew(
+  this->VisitNewSamples(
     [&](const Index& at)
     {
       if (!isAny || this->IsCenter(at) || !this->IsInMarkedBlocks(at, GOOD))
@@ -116,10 +116,10 @@ StreamlineSharing::Ids StreamlineSharing::GetFollowed()
   return ids;
 }
 
-StreamlineSharing::Ids StreamlineSharing::CheckCenters()
+StreamlineInterpolation::Ids StreamlineInterpolation::CheckCenters()
 {
   Ids ids;
-  if (!this->IsAnyGood())
+  if (!this->HasGoodBlock())
   {
     return ids;
   }
@@ -142,7 +142,7 @@ StreamlineSharing::Ids StreamlineSharing::CheckCenters()
       this->SumOfErrors += errors[block];
     }
   }
-  this->VisitNew(
+  this->VisitNewSamples(
     [&](const Index& at)
     {
       if (!this->IsCenter(at) && this->IsInMarkedBlocks(at, REFUTED) &&
@@ -154,14 +154,14 @@ StreamlineSharing::Ids StreamlineSharing::CheckCenters()
   return ids;
 }
 
-void StreamlineSharing::VisitInterpolated(
+void StreamlineInterpolation::VisitInterpolated(
   const std::function<void(vtkIdType id, const SampleResult& result)>& visit)
 {
-  if (!this->IsAnyGood())
+  if (!this->HasGoodBlock())
   {
     return;
   }
-  this->VisitNew(
+  this->VisitNewSamples(
     [&](const Index& at)
     {
       SampleResult result;
@@ -173,18 +173,18 @@ void StreamlineSharing::VisitInterpolated(
     });
 }
 
-bool StreamlineSharing::IsAnyGood() const
+bool StreamlineInterpolation::HasGoodBlock() const
 {
   return std::find(this->Marks.begin(), this->Marks.end(), GOOD) != this->Marks.end();
 }
 
-vtkIdType StreamlineSharing::GetId(const Index& at) const
+vtkIdType StreamlineInterpolation::GetId(const Index& at) const
 {
   return at[0] +
     this->Dimensions[0] * (at[1] + this->Dimensions[1] * static_cast<vtkIdType>(at[2]));
 }
 
-StreamlineSharing::Index StreamlineSharing::GetBlock(std::size_t block) const
+StreamlineInterpolation::Index StreamlineInterpolation::GetBlock(std::size_t block) const
 {
   const auto x = static_cast<std::size_t>(this->Blocks[0]);
   const auto y = static_cast<std::size_t>(this->Blocks[1]);
@@ -192,7 +192,7 @@ StreamlineSharing::Index StreamlineSharing::GetBlock(std::size_t block) const
     static_cast<int>(block / (x * y)) } };
 }
 
-StreamlineSharing::Index StreamlineSharing::GetCenter(const Index& block) const
+StreamlineInterpolation::Index StreamlineInterpolation::GetCenter(const Index& block) const
 {
   Index at;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -202,7 +202,7 @@ StreamlineSharing::Index StreamlineSharing::GetCenter(const Index& block) const
   return at;
 }
 
-bool StreamlineSharing::IsCenter(const Index& at) const
+bool StreamlineInterpolation::IsCenter(const Index& at) const
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -214,7 +214,7 @@ bool StreamlineSharing::IsCenter(const Index& at) const
   return true;
 }
 
-void StreamlineSharing::SetStride(int stride)
+void StreamlineInterpolation::SetStride(int stride)
 {
   this->Stride = stride;
   std::size_t number = 1;
@@ -227,7 +227,7 @@ void StreamlineSharing::SetStride(int stride)
 }
 
 template <typename Visit>
-void StreamlineSharing::VisitBlocks(Visit&& visit) const
+void StreamlineInterpolation::VisitBlocks(Visit&& visit) const
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Marks.size()),
     [&](vtkIdType begin, vtkIdType end)
@@ -240,7 +240,7 @@ void StreamlineSharing::VisitBlocks(Visit&& visit) const
 }
 
 template <typename Visit>
-bool StreamlineSharing::VisitMidpoints(const Index& block, Visit&& visit) const
+bool StreamlineInterpolation::VisitMidpoints(const Index& block, Visit&& visit) const
 {
   const int half = this->Stride / 2;
   const auto getLast = [this](std::size_t axis) { return this->Dimensions[axis] > 1 ? 2 : 0; };
@@ -264,7 +264,7 @@ bool StreamlineSharing::VisitMidpoints(const Index& block, Visit&& visit) const
 }
 
 template <typename Visit>
-void StreamlineSharing::VisitNew(Visit&& visit) const
+void StreamlineInterpolation::VisitNewSamples(Visit&& visit) const
 {
   const int half = this->Stride / 2;
   for (int k = 0; k < this->Dimensions[2]; k += half)
@@ -282,7 +282,7 @@ void StreamlineSharing::VisitNew(Visit&& visit) const
   }
 }
 
-bool StreamlineSharing::IsInMarkedBlocks(const Index& at, unsigned char minimumMark) const
+bool StreamlineInterpolation::IsInMarkedBlocks(const Index& at, unsigned char minimumMark) const
 {
   Index first;
   Index last;
@@ -317,7 +317,7 @@ bool StreamlineSharing::IsInMarkedBlocks(const Index& at, unsigned char minimumM
   return true;
 }
 
-bool StreamlineSharing::Predict(const Index& at, int stride, SampleResult& result) const
+bool StreamlineInterpolation::Predict(const Index& at, int stride, SampleResult& result) const
 {
   Index first;
   Index nodes;
@@ -332,7 +332,7 @@ bool StreamlineSharing::Predict(const Index& at, int stride, SampleResult& resul
       return false;
     }
   }
-  if (!this->ReachOneSurface(first, nodes, stride))
+  if (!this->ReachSameSurface(first, nodes, stride))
   {
     return false;
   }
@@ -372,7 +372,8 @@ bool StreamlineSharing::Predict(const Index& at, int stride, SampleResult& resul
   return false;
 }
 
-bool StreamlineSharing::ReachOneSurface(const Index& first, const Index& nodes, int stride) const
+bool StreamlineInterpolation::ReachSameSurface(
+  const Index& first, const Index& nodes, int stride) const
 {
   const int own =
     this->Known.Id[this->GetId({ { stride * first[0], stride * first[1], stride * first[2] } })];
@@ -393,7 +394,7 @@ bool StreamlineSharing::ReachOneSurface(const Index& first, const Index& nodes, 
   return true;
 }
 
-bool StreamlineSharing::Interpolate(const Index& first, const Index& nodes,
+bool StreamlineInterpolation::Interpolate(const Index& first, const Index& nodes,
   const double* const weights[3], int stride, SampleResult& result) const
 {
   result = SampleResult();
@@ -437,14 +438,14 @@ bool StreamlineSharing::Interpolate(const Index& first, const Index& nodes,
   return isOnSurface;
 }
 
-double StreamlineSharing::GetError(const Index& at, int stride) const
+double StreamlineInterpolation::GetError(const Index& at, int stride) const
 {
   SampleResult guess;
   return this->Predict(at, stride, guess) ? this->GetError(at, guess)
                                           : std::numeric_limits<double>::infinity();
 }
 
-double StreamlineSharing::GetError(const Index& at, const SampleResult& guess) const
+double StreamlineInterpolation::GetError(const Index& at, const SampleResult& guess) const
 {
   const vtkIdType id = this->GetId(at);
   return this->Known.Status[id] == vtkFlowStatus::REACHED_SURFACE && this->Known.Id[id] == guess.Id
@@ -452,7 +453,7 @@ double StreamlineSharing::GetError(const Index& at, const SampleResult& guess) c
     : std::numeric_limits<double>::infinity();
 }
 
-bool StreamlineSharing::IsVerified(const Index& block) const
+bool StreamlineInterpolation::IsVerified(const Index& block) const
 {
   const int wide = 2 * this->Stride;
   const auto getLast = [this](std::size_t axis) { return this->Dimensions[axis] > 1 ? 1 : 0; };

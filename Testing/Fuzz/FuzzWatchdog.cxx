@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FuzzWatch.h"
+#include "FuzzWatchdog.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace
 constexpr std::chrono::seconds Pause(10);
 }
 
-FuzzWatch::FuzzWatch(double limit)
+FuzzWatchdog::FuzzWatchdog(double limit)
   : Limit(limit)
   , Thread([this]() { this->Run(); })
 {
 }
 
-FuzzWatch::~FuzzWatch()
+FuzzWatchdog::~FuzzWatchdog()
 {
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -30,7 +30,7 @@ FuzzWatch::~FuzzWatch()
   this->Thread.join();
 }
 
-void FuzzWatch::Begin(const std::string& arguments, int done, int count)
+void FuzzWatchdog::Begin(const std::string& arguments, int done, int count)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Arguments = arguments;
@@ -41,13 +41,13 @@ void FuzzWatch::Begin(const std::string& arguments, int done, int count)
   this->Changed.notify_one();
 }
 
-void FuzzWatch::End()
+void FuzzWatchdog::End()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->IsInCase = false;
 }
 
-void FuzzWatch::Run()
+void FuzzWatchdog::Run()
 {
   using Seconds = std::chrono::duration<double>;
   const auto limit = std::chrono::duration_cast<Clock::duration>(this->Limit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_PiecewiseLinearTransfer_h
-#define interlume_PiecewiseLinearTransfer_h
+#ifndef interlume_PiecewiseLinearTransferFunction_h
+#define interlume_PiecewiseLinearTransferFunction_h
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace interlume
 {
 
 /**
- * @class   PiecewiseLinearTransfer
+ * @class   PiecewiseLinearTransferFunction
  * @brief   color and extinction as a piecewise linear function of the scalar
  *
  * It merges the control points of the color and opacity functions of a property, so that all four
@@ -20,7 +20,7 @@ namespace interlume
  * midpoints, sharpness, logarithmic scale) are bisected until the linear pieces are within 1e-4 of
  * the functions. Collinear control points are removed.
  */
-class PiecewiseLinearTransfer
+class PiecewiseLinearTransferFunction
 {
 public:
   using Sample = std::array<float, 4>;
@@ -79,7 +79,7 @@ public:
   }
 
   /// Returns true if the color, but not necessarily the extinction, is the same for all scalars.
-  bool HasOneColor() const;
+  bool HasConstantColor() const;
 
 private:
   static constexpr int BUCKETS = 1024;

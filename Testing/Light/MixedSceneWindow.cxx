@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VolumePile.h"
+#include "MixedSceneWindow.h"
 
 #include "Support/Drawing/ShadowImage.h"
 
@@ -11,7 +11,7 @@
 namespace reference
 {
 
-VolumePile::VolumePile(const MixedScene& scene, bool isReversed)
+MixedSceneWindow::MixedSceneWindow(const MixedScene& scene, bool isReversed)
   : Stage(scene.Size)
 {
   this->Stage.GetVolume()->VisibilityOff();
@@ -53,7 +53,7 @@ VolumePile::VolumePile(const MixedScene& scene, bool isReversed)
   this->Stage.SetPass(this->Pass);
 }
 
-VolumePile::~VolumePile()
+MixedSceneWindow::~MixedSceneWindow()
 {
   this->Pass->ReleaseGraphicsResources(this->Stage.GetWindow());
 }

@@ -44,13 +44,13 @@ struct IndexLine
 };
 
 /**
- * @class   ReferenceImage
+ * @class   ImageInterpolator
  * @brief   trilinear interpolation of an image in double precision
  *
  * The domain ends at the outermost samples. Index (0, 0, 0) is the first sample, independent of the
  * extent.
  */
-class ReferenceImage
+class ImageInterpolator
 {
 public:
   struct Sample
@@ -62,7 +62,7 @@ public:
 
   /// \a worldFromVolume may be null for the identity. Throws std::invalid_argument if the array is
   /// missing or has more than four components.
-  ReferenceImage(vtkImageData* image, const ImageArray& array, vtkMatrix4x4* worldFromVolume);
+  ImageInterpolator(vtkImageData* image, const ImageArray& array, vtkMatrix4x4* worldFromVolume);
 
   int GetNumberOfComponents() const { return this->Components; }
   /// Returns the factor that scales color values to [0, 1]: 1/255 for unsigned char, otherwise 1.
@@ -109,7 +109,7 @@ private:
 };
 
 template <typename Piece>
-void ReferenceImage::Walk(const IndexLine& line, double begin, double end,
+void ImageInterpolator::Walk(const IndexLine& line, double begin, double end,
   const std::vector<double>& cuts, const Piece& piece)
 {
   constexpr double never = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Plan/ViewRange.h"
+#include "Plan/CameraRays.h"
 
 #include "Common/Vectors.h"
 #include "Plan/SliceNormal.h"
@@ -46,7 +46,7 @@ std::vector<glm::dvec3> GetImageRays(const SlicePlan::Camera& eye)
 
 }
 
-ViewRange::ViewRange(const SlicePlan::Camera& eye, const BoxCorners& corners)
+CameraRays::CameraRays(const SlicePlan::Camera& eye, const BoxCorners& corners)
   : Direction(eye.Direction)
   , Rays({ eye.Direction })
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_StreamlineSharing_h
-#define interlume_StreamlineSharing_h
+#ifndef interlume_StreamlineInterpolation_h
+#define interlume_StreamlineInterpolation_h
 
 #include "vtkType.h"
 
@@ -14,7 +14,7 @@ namespace interlume
 {
 
 /**
- * @class   StreamlineSharing
+ * @class   StreamlineInterpolation
  * @brief   decides which samples of a regular grid can be interpolated from their neighbors
  *
  * At first, every fourth sample along each axis is advected. Each of two further levels halves the
@@ -32,7 +32,7 @@ namespace interlume
  * Measuring the error needs no additional streamlines, since each streamline is also the result of
  * a sample.
  */
-class StreamlineSharing
+class StreamlineInterpolation
 {
 public:
   /// Arrays with the results of all samples. The caller also stores interpolated results in them.
@@ -60,7 +60,7 @@ public:
   /// Gets the dimensions of the grid of samples. Returns false if the grid is not structured.
   static bool GetDimensions(vtkDataSet* samples, int dimensions[3]);
 
-  StreamlineSharing(
+  StreamlineInterpolation(
     const int dimensions[3], const SampleResults& results, Measure measure, Seams seams);
 
   /// Returns the samples to advect first.
@@ -69,7 +69,7 @@ public:
   /// Starts the next level. Returns false after the last level.
   bool Next();
   /// Returns the samples of this level that must be advected in any case.
-  Ids GetFollowed();
+  Ids GetSamplesToAdvect();
   /// Returns the samples to advect in addition, once the results of GetFollowed are known.
   Ids CheckCenters();
   /// Calls \a visit with the interpolated values of all samples of this level that were not
@@ -103,7 +103,7 @@ private:
   bool Predict(const Index& at, int stride, SampleResult& result) const;
   /// Returns true if the known samples nearest to a midpoint reached the same surface: \a first
   /// and, along each axis with more than one node, the next sample.
-  bool ReachOneSurface(const Index& first, const Index& nodes, int stride) const;
+  bool ReachSameSurface(const Index& first, const Index& nodes, int stride) const;
   /// Interpolates from \a nodes samples along each axis, beginning at \a first. Returns false if
   /// they did not reach the same surface, if they are on both sides of a seam, or if the result is
   /// not on the surface.
@@ -113,13 +113,13 @@ private:
   /// the surface differs or interpolation is not allowed.
   double GetError(const Index& at, int stride) const;
   double GetError(const Index& at, const SampleResult& guess) const;
-  bool IsAnyGood() const;
+  bool HasGoodBlock() const;
   /// Calls visit(at) for the midpoints of a block. If visit returns false, stops and returns false.
   template <typename Visit>
   bool VisitMidpoints(const Index& block, Visit&& visit) const;
   /// Calls visit(at) for all samples that this level adds.
   template <typename Visit>
-  void VisitNew(Visit&& visit) const;
+  void VisitNewSamples(Visit&& visit) const;
   /// Calls visit(block) for all blocks, in parallel.
   template <typename Visit>
   void VisitBlocks(Visit&& visit) const;

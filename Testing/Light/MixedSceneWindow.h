@@ -17,16 +17,16 @@ namespace reference
 {
 
 /**
- * @class   VolumePile
+ * @class   MixedSceneWindow
  * @brief   an offscreen window with the volumes and surfaces of a scene, drawn by
  *          vtkShadowedScenePass
  */
-class VolumePile
+class MixedSceneWindow
 {
 public:
   /// Adds the volumes in the order of the scene, or in reverse order.
-  explicit VolumePile(const MixedScene& scene, bool isReversed = false);
-  ~VolumePile();
+  explicit MixedSceneWindow(const MixedScene& scene, bool isReversed = false);
+  ~MixedSceneWindow();
 
   RgbaImage Draw() { return this->Stage.Capture(); }
   vtkInterlumeReport* GetReport() const { return this->Pass->GetReport(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_ExtractionCell_h
-#define interlume_ExtractionCell_h
+#ifndef interlume_CoincidentSlots_h
+#define interlume_CoincidentSlots_h
 
 #include "Scalars/ExtractionValues.h"
 
@@ -12,14 +12,14 @@ namespace interlume
 {
 
 /**
- * @class   ExtractionCell
+ * @class   CoincidentSlots
  * @brief   identifies the slots of a cell that are the same point because a value equals an
  * isovalue
  *
  * If an isovalue crosses an edge at one of its ends, the crossing is the grid point at that end. If
  * an interval has zero width, its lower and upper bounds cross an edge at the same point.
  */
-class ExtractionCell
+class CoincidentSlots
 {
 public:
   using Code = ExtractionValues::Code;
@@ -28,7 +28,7 @@ public:
   /// Returns the slot that represents all slots of the same point as \a slot. \a table is a
   /// vtkIsotable or a SpaceTimeTable.
   template <typename Table>
-  static Slot Identify(
+  static Slot FindRepresentative(
     const Table& table, const ExtractionValues::Item& item, const Code* codes, Slot slot)
   {
     const int n = table.GetNumberOfVertices();
@@ -56,12 +56,13 @@ public:
    * are the same point.
    */
   template <typename Table, typename GetPoint>
-  static void IdentifyAll(const Table& table, const ExtractionValues::Item& item, const Code* codes,
-    const std::vector<Slot>& slots, bool hasEqualCorners, GetPoint&& getPoint, Slot* same)
+  static void FindRepresentatives(const Table& table, const ExtractionValues::Item& item,
+    const Code* codes, const std::vector<Slot>& slots, bool hasEqualCorners, GetPoint&& getPoint,
+    Slot* same)
   {
     for (const Slot slot : slots)
     {
-      same[slot] = Identify(table, item, codes, slot);
+      same[slot] = FindRepresentative(table, item, codes, slot);
       for (Slot earlier = 0; hasEqualCorners && earlier < same[slot]; ++earlier)
       {
         if (getPoint(earlier) == getPoint(same[slot]))
@@ -73,7 +74,7 @@ public:
   }
 
   /// Returns the key of the interval case in which all vertices are inside.
-  static int GetKeyInside(int vertices)
+  static int GetAllInsideKey(int vertices)
   {
     int key = 0;
     for (int v = 0; v < vertices; ++v)

@@ -12,7 +12,7 @@ namespace reference
 {
 
 /**
- * @class   SeenLight
+ * @class   RadianceSampler
  * @brief   radiance that leaves a box of medium, sampled by random view rays
  *
  * The result corresponds to rendering with very thin slices. The single scattering is computed from
@@ -20,10 +20,10 @@ namespace reference
  * centers. Only the first color channel is computed, with lights of color 1. Mirrors are not
  * supported.
  */
-class SeenLight
+class RadianceSampler
 {
 public:
-  SeenLight(const interlume::ScatteringMedium& medium,
+  RadianceSampler(const interlume::ScatteringMedium& medium,
     const std::vector<interlume::ScatteringLight>& lights, double g);
 
   /// Incoming and outgoing energy as in ScatteringReport, and the standard error of their

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Support/Images/ReferenceImage.h"
+#include "Support/Images/ImageInterpolator.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -36,7 +36,7 @@ Double3 Multiply(const std::array<double, 16>& rows, const Double3& vector, doub
 
 }
 
-ReferenceImage::ReferenceImage(
+ImageInterpolator::ImageInterpolator(
   vtkImageData* image, const ImageArray& array, vtkMatrix4x4* worldFromVolume)
 {
   vtkDataSetAttributes* data = image->GetPointData();
@@ -107,18 +107,18 @@ ReferenceImage::ReferenceImage(
   }
 }
 
-IndexLine ReferenceImage::ToIndex(const Double3& world, const Double3& direction) const
+IndexLine ImageInterpolator::ToIndex(const Double3& world, const Double3& direction) const
 {
   return { Multiply(this->IndexFromWorld, world, 1.0),
     Multiply(this->IndexFromWorld, direction, 0.0) };
 }
 
-Double3 ReferenceImage::ToVolume(const Double3& index) const
+Double3 ImageInterpolator::ToVolume(const Double3& index) const
 {
   return Multiply(this->VolumeFromIndex, index, 1.0);
 }
 
-ReferenceImage::Sample ReferenceImage::At(const Double3& index) const
+ImageInterpolator::Sample ImageInterpolator::At(const Double3& index) const
 {
   std::array<std::size_t, 3> lower;
   std::array<std::size_t, 3> stride;
@@ -145,7 +145,7 @@ ReferenceImage::Sample ReferenceImage::At(const Double3& index) const
                               : this->InterpolateFinite(corners, fraction);
 }
 
-ReferenceImage::Sample ReferenceImage::Interpolate(
+ImageInterpolator::Sample ImageInterpolator::Interpolate(
   const std::array<std::size_t, 8>& corners, const Double3& fraction) const
 {
   Sample sample;
@@ -172,7 +172,7 @@ ReferenceImage::Sample ReferenceImage::Interpolate(
   return sample;
 }
 
-ReferenceImage::Sample ReferenceImage::InterpolateFinite(
+ImageInterpolator::Sample ImageInterpolator::InterpolateFinite(
   const std::array<std::size_t, 8>& corners, const Double3& fraction) const
 {
   Sample sample;
@@ -201,7 +201,7 @@ ReferenceImage::Sample ReferenceImage::InterpolateFinite(
   return sample;
 }
 
-double ReferenceImage::GetSlope(const Double3& index, int component, int axis) const
+double ImageInterpolator::GetSlope(const Double3& index, int component, int axis) const
 {
   Double3 before = index;
   Double3 after = index;
@@ -210,7 +210,7 @@ double ReferenceImage::GetSlope(const Double3& index, int component, int axis) c
   return 0.5 * (this->At(after).Values[component] - this->At(before).Values[component]);
 }
 
-double ReferenceImage::GetMagnitude(const Double3& index, int component) const
+double ImageInterpolator::GetMagnitude(const Double3& index, int component) const
 {
   const double mean = (this->Spacing[0] + this->Spacing[1] + this->Spacing[2]) / 3.0;
   double sum = 0.0;
@@ -222,7 +222,7 @@ double ReferenceImage::GetMagnitude(const Double3& index, int component) const
   return std::min(std::sqrt(sum), 0.25 * this->Range[component]);
 }
 
-Double3 ReferenceImage::GetGradient(const Double3& index, int component) const
+Double3 ImageInterpolator::GetGradient(const Double3& index, int component) const
 {
   Double3 gradient{};
   for (int axis = 0; axis < 3; ++axis)
@@ -237,7 +237,7 @@ Double3 ReferenceImage::GetGradient(const Double3& index, int component) const
   return gradient;
 }
 
-bool ReferenceImage::Cut(const IndexLine& line, double& begin, double& end) const
+bool ImageInterpolator::Cut(const IndexLine& line, double& begin, double& end) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_RadixOrder_h
-#define interlume_RadixOrder_h
+#ifndef interlume_RadixSorter_h
+#define interlume_RadixSorter_h
 
 #include <cstdint>
 #include <cstring>
@@ -10,7 +10,7 @@ namespace interlume
 {
 
 /**
- * @class   RadixOrder
+ * @class   RadixSorter
  * @brief   multithreaded radix sort of indices by 32-bit keys
  *
  * It sorts by the least significant digit first, and is stable: indices with equal keys remain
@@ -18,7 +18,7 @@ namespace interlume
  * difference from the minimum key, in at most three passes. Buffers of at most 20 bytes per key are
  * reused.
  */
-class RadixOrder
+class RadixSorter
 {
 public:
   /// Writes the indices 0 to \a number - 1 to \a order, in ascending order of their keys.
@@ -58,7 +58,7 @@ private:
   template <typename Source, typename Destination>
   void Scatter(Digit digit, const Source& source, const Destination& destination);
   template <typename Work>
-  void ForChunks(const Work& work) const;
+  void ForEachChunk(const Work& work) const;
 
   std::uint32_t Number = 0;
   std::uint32_t Chunks = 0;

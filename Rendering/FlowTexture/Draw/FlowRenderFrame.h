@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_FlowRenderPass_h
-#define interlume_FlowRenderPass_h
+#ifndef interlume_FlowRenderFrame_h
+#define interlume_FlowRenderFrame_h
 
 #include "Draw/FlowLights.h"
 #include "Draw/SurfacePaintTextures.h"
@@ -36,10 +36,10 @@ struct FlowRenderState
 };
 
 /**
- * @class   FlowRenderPass
+ * @class   FlowRenderFrame
  * @brief   inputs and derived values of one frame
  */
-struct FlowRenderPass
+struct FlowRenderFrame
 {
   vtkRenderer* Renderer;
   vtkOpenGLRenderWindow* Window;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scattering/SingleEscape.h"
+#include "Scattering/SingleScatteringEscape.h"
 
 #include "Scattering/CellRay.h"
 
@@ -238,7 +238,7 @@ private:
 
 }
 
-SingleEscape::SingleEscape(const PhaseFunction& phase)
+SingleScatteringEscape::SingleScatteringEscape(const PhaseFunction& phase)
   : CumulativeProbability(Angles + 1, 0.0)
 {
   for (std::size_t i = 0; i < Angles; ++i)
@@ -253,7 +253,7 @@ SingleEscape::SingleEscape(const PhaseFunction& phase)
   }
 }
 
-EscapeRays::Sums SingleEscape::Find(
+EscapeRays::Sums SingleScatteringEscape::Find(
   const SanitizedMedium& medium, std::size_t light, const glm::dvec3& direction) const
 {
   const ScatteringMedium& box = medium.Box;

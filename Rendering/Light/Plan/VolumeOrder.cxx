@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Plan/SlabOrder.h"
+#include "Plan/VolumeOrder.h"
 
 #include "Space/BoxCorners.h"
 #include "Space/UnitSpace.h"
@@ -71,7 +71,7 @@ int GetSide(
 
 }
 
-void SlabOrder::Find(const SlicePlan::Sweep& sweep, const SlicePlan::Camera& eye,
+void VolumeOrder::Find(const SlicePlan::Sweep& sweep, const SlicePlan::Camera& eye,
   const std::vector<LightSource>& lights, const std::vector<SlicePlan::SlicedVolume>& volumes)
 {
   const auto compare = [&](std::size_t i, std::size_t j)

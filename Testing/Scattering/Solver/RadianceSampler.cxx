@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scattering/Solver/SeenLight.h"
+#include "Scattering/Solver/RadianceSampler.h"
 
 #include "Support/Checks/ReferenceRandom.h"
 
@@ -30,7 +30,7 @@ glm::dvec3 GetDirection(Random& random)
 
 /// Visits the cells along a ray. Positions are in units of cells from the lower corner, and lengths
 /// are in world units.
-class SeenLight::Walk
+class RadianceSampler::Walk
 {
 public:
   Walk(const ScatteringMedium& medium, const glm::dvec3& position, const glm::dvec3& direction)
@@ -89,7 +89,7 @@ private:
   int Axis = 0;
 };
 
-SeenLight::SeenLight(
+RadianceSampler::RadianceSampler(
   const ScatteringMedium& medium, const std::vector<ScatteringLight>& lights, double g)
   : Medium(medium)
   , Lights(lights)
@@ -97,14 +97,14 @@ SeenLight::SeenLight(
 {
 }
 
-double SeenLight::GetPhase(double cosine) const
+double RadianceSampler::GetPhase(double cosine) const
 {
   const double g = this->Anisotropy;
   const double square = 1.0 + g * g - 2.0 * g * cosine;
   return (1.0 - g * g) / (square * std::sqrt(square));
 }
 
-glm::dvec3 SeenLight::Scatter(const glm::dvec3& direction, Random& random) const
+glm::dvec3 RadianceSampler::Scatter(const glm::dvec3& direction, Random& random) const
 {
   const double g = this->Anisotropy;
   const double fraction = random.Get(0.0, 1.0);
@@ -119,7 +119,7 @@ glm::dvec3 SeenLight::Scatter(const glm::dvec3& direction, Random& random) const
   return cosine * direction + std::sqrt(std::max(1.0 - cosine * cosine, 0.0)) * across;
 }
 
-glm::dvec3 SeenLight::SampleBoundary(
+glm::dvec3 RadianceSampler::SampleBoundary(
   const glm::dvec3& direction, Random& random, double& area) const
 {
   const glm::dvec3 size = glm::dvec3(this->Medium.Cells) * this->Medium.CellSize;
@@ -133,7 +133,7 @@ glm::dvec3 SeenLight::SampleBoundary(
   return position * glm::dvec3(this->Medium.Cells);
 }
 
-double SeenLight::SampleIncomingLight(std::size_t light, Random& random) const
+double RadianceSampler::SampleIncomingLight(std::size_t light, Random& random) const
 {
   const ScatteringLight& source = this->Lights[light];
   glm::dvec3 position;
@@ -195,7 +195,7 @@ double SeenLight::SampleIncomingLight(std::size_t light, Random& random) const
   return weight * incoming;
 }
 
-double SeenLight::GetTransmittance(std::size_t light, const glm::dvec3& position) const
+double RadianceSampler::GetTransmittance(std::size_t light, const glm::dvec3& position) const
 {
   const ScatteringLight& source = this->Lights[light];
   const glm::dvec3 world = this->Medium.Origin + position * this->Medium.CellSize;
@@ -214,7 +214,7 @@ double SeenLight::GetTransmittance(std::size_t light, const glm::dvec3& position
   return std::exp(-depth);
 }
 
-double SeenLight::GetSource(const glm::dvec3& position, const glm::dvec3& out,
+double RadianceSampler::GetSource(const glm::dvec3& position, const glm::dvec3& out,
   const ScatteredLight* field, const std::vector<double>& phases,
   const std::vector<double>& lights) const
 {
@@ -257,7 +257,7 @@ double SeenLight::GetSource(const glm::dvec3& position, const glm::dvec3& out,
   return sum + fluence * std::max(1.0 + 3.0 * this->Anisotropy * glm::dot(netFlux, out), 0.0);
 }
 
-void SeenLight::TraceRay(const glm::dvec3& position, const glm::dvec3& direction,
+void RadianceSampler::TraceRay(const glm::dvec3& position, const glm::dvec3& direction,
   const std::vector<const ScatteredLight*>& fields, Random& random, std::vector<double>& seen,
   double& transmittance) const
 {
@@ -296,7 +296,7 @@ void SeenLight::TraceRay(const glm::dvec3& position, const glm::dvec3& direction
   } while (transmittance > 1e-6 && walk.Next());
 }
 
-std::vector<SeenLight::Energy> SeenLight::GetEnergy(
+std::vector<RadianceSampler::Energy> RadianceSampler::GetEnergy(
   const std::vector<const ScatteredLight*>& fields, int rays, unsigned seed) const
 {
   constexpr int batches = 16;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_MovedPieces_h
-#define interlume_MovedPieces_h
+#ifndef interlume_TransformedPieces_h
+#define interlume_TransformedPieces_h
 
 #include "Cases/CellSymmetries.h"
 
@@ -12,14 +12,14 @@ namespace interlume
 {
 
 /**
- * @class   MovedPieces
+ * @class   TransformedPieces
  * @brief   transforms the pieces of an interval case by a symmetry of the cell
  *
  * The result is identical to the pieces computed from the hull of the transformed case. A hull
  * lists points, faces and pieces in the order of the lifted cell's edges that identify them, so the
  * transformed pieces are sorted in this order.
  */
-class MovedPieces
+class TransformedPieces
 {
 public:
   using Slot = vtkIsotable::Slot;

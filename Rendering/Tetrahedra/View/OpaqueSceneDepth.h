@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef interlume_TetrahedraDepth_h
-#define interlume_TetrahedraDepth_h
+#ifndef interlume_OpaqueSceneDepth_h
+#define interlume_OpaqueSceneDepth_h
 
 #include "View/TetrahedraView.h"
 
@@ -13,10 +13,10 @@ namespace interlume
 {
 
 /**
- * @class   TetrahedraDepth
+ * @class   OpaqueSceneDepth
  * @brief   reads the scene's depth buffer and converts it to depths as defined by TetrahedraView
  */
-class TetrahedraDepth
+class OpaqueSceneDepth
 {
 public:
   /**
