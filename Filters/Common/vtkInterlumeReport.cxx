@@ -26,7 +26,8 @@ double vtkInterlumeReport::GetNumber(const std::string& name, vtkIdType entry)
   vtkDataArray* values = this->GetArray(name.c_str());
   if (!values || entry < 0 || entry >= values->GetNumberOfValues())
   {
-    vtkErrorMacro("The report has no number \"" << name << "\" with an entry " << entry << ".");
+    vtkErrorMacro("The report has no numeric value \"" << name << "\", or the value has no entry "
+                                                       << entry << ".");
     return std::numeric_limits<double>::quiet_NaN();
   }
   const int components = values->GetNumberOfComponents();
@@ -44,8 +45,8 @@ std::string vtkInterlumeReport::GetText(const std::string& name, vtkIdType entry
   auto* values = vtkStringArray::SafeDownCast(this->GetAbstractArray(name.c_str()));
   if (!values || entry < 0 || entry >= values->GetNumberOfValues())
   {
-    vtkErrorMacro(
-      "The report has no text \"" << name << "\", or the text has no entry " << entry << ".");
+    vtkErrorMacro("The report has no text value \"" << name << "\", or the value has no entry "
+                                                    << entry << ".");
     return {};
   }
   return values->GetValue(entry);

@@ -194,7 +194,7 @@ int vtkFlowCriticalPoints::RequestData(
   data->AddArray(cells);
   if (points->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro("The field has no isolated critical point in "
+    vtkWarningMacro("The field has no isolated critical point in any of its "
       << input->GetNumberOfCells() << " cells. The velocity is 0 throughout " << counts.ZeroCells
       << " cells, 0 along lines or surfaces in " << counts.DegenerateCells << ", not finite in "
       << counts.NonFiniteCells << ", and a fill value in " << counts.FillValueCells << ".");

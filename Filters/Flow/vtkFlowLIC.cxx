@@ -162,8 +162,8 @@ int vtkFlowLIC::RequestData(
   if (fill.Number > 0 && isEntireOutput)
   {
     vtkWarningMacro(<< fill.Describe(vectors->GetName(),
-                      "The minimum speed ignores them, but streamlines in cells with such points "
-                      "still follow these vectors."));
+                      "These vectors do not affect the minimum speed, but streamlines still follow "
+                      "them."));
   }
   if (nonFinite > 0 && isEntireOutput)
   {
@@ -177,7 +177,7 @@ int vtkFlowLIC::RequestData(
     vtkWarningMacro("All " << report.Points << " points lie outside the field, whose bounds are x "
                            << bounds[0] << " to " << bounds[1] << ", y " << bounds[2] << " to "
                            << bounds[3] << ", z " << bounds[4] << " to " << bounds[5]
-                           << "; LIC is 0 there.");
+                           << ". LIC is 0 at all of them. Pass points inside the field.");
   }
   return 1;
 }

@@ -354,9 +354,9 @@ int vtkFlowVolume::RequestData(
   const std::size_t items = std::max(byInflow.GetItems().size(), byTime.GetItems().size());
   if (items > static_cast<std::size_t>(vtkIntervalList::MaximumNumber))
   {
-    vtkErrorMacro("There are " << items << " intervals between surfaces, more than the maximum of "
-                               << vtkIntervalList::MaximumNumber
-                               << ". Remove intervals or surfaces.");
+    vtkErrorMacro("The surfaces divide the intervals into "
+      << items << " parts, more than the maximum of " << vtkIntervalList::MaximumNumber
+      << ". Remove intervals or surfaces.");
     return 1;
   }
   interlume::VolumeExtraction::Request request(*this);
@@ -462,11 +462,11 @@ std::string vtkFlowVolume::DescribeMissing(vtkDataSet* input,
   {
     if (times[0] > times[1])
     {
-      text << "None of " << input->GetNumberOfPoints()
+      text << "None of the " << input->GetNumberOfPoints()
            << " samples reached a termination surface. ";
     }
-    text << "None of " << report.Cells
-         << " cells contains a part of the volume: " << report.CellsWithoutResult
+    text << "None of the " << report.Cells
+         << " cells contains part of the volume: " << report.CellsWithoutResult
          << " have corners that reached no surface, " << report.CellsBetweenSurfaces
          << " lie between surfaces, " << report.CellsOnSeams << " on seams, "
          << report.CellsAcrossSurfaces << " across their surface, " << report.CellsWithTimeJumps

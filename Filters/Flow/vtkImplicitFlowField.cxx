@@ -667,19 +667,20 @@ void vtkImplicitFlowField::WarnOfField(const interlume::FlowReport& report, cons
 {
   if (report.NonconformingFaces > 0)
   {
-    vtkWarningMacro("The field is not conforming at "
+    vtkWarningMacro("The mesh of the field is nonconforming at "
       << report.NonconformingFaces << " cell faces, the first of them in cell "
       << report.FirstNonconformingCell
-      << ": the neighboring cell has no face with the same points. Streamlines end at such faces "
-         "as if they left the domain.");
+      << ": the neighboring cell has no face with the same points. Streamlines end at these faces "
+         "as at the boundary of the domain.");
   }
   if (report.FillValues > 0 && !(this->MaximumError > 0.0 && this->MinimumSpeed > 0.0))
   {
     const interlume::FillValues fill{ report.FillValues, report.FillValue, report.MaximumSpeed,
       report.SpeedScale };
-    vtkWarningMacro(<< fill.Describe(vectors,
-                      "The automatic MaximumError and MinimumSpeed ignore them, but streamlines in "
-                      "cells with such points still follow these vectors."));
+    vtkWarningMacro(
+      << fill.Describe(vectors,
+           "These vectors do not affect the automatic MaximumError and MinimumSpeed, but "
+           "streamlines still follow them."));
   }
   if (report.NonFiniteVectors > 0)
   {
@@ -700,14 +701,14 @@ void vtkImplicitFlowField::WarnIfNoneReached(const interlume::FlowReport& report
     const vtkIdType number = report.Statuses[static_cast<std::size_t>(status)];
     if (number > 0)
     {
-      ends += std::string(ends.empty() ? "" : ", ") + vtkFlowStatus::GetName(status) + " " +
+      ends += std::string(ends.empty() ? "" : ", ") + vtkFlowStatus::GetName(status) + ": " +
         std::to_string(number);
     }
   }
-  vtkWarningMacro("None of " << report.Samples << " samples reached a termination surface (" << ends
-                             << "). Put the surface where the flow "
-                             << (this->Direction == BACKWARD ? "comes from" : "goes to")
-                             << ", or follow streamlines in the other direction.");
+  vtkWarningMacro("None of the " << report.Samples << " samples reached a termination surface ("
+                                 << ends << "). Put a surface where the flow "
+                                 << (this->Direction == BACKWARD ? "comes from" : "goes to")
+                                 << ", or follow streamlines in the other direction.");
 }
 
 interlume::Error vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input)
@@ -859,7 +860,7 @@ interlume::Error vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
     if (error)
     {
       return error.Within(
-        "Termination surface " + std::to_string(i) + " (" + surface->GetClassName() + "): ");
+        "Termination surface " + std::to_string(i) + " (" + surface->GetClassName() + "): ", ".");
     }
   }
   // Automatic ids are unused ids, assigned in the order of the surfaces.

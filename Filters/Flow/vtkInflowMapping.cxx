@@ -74,7 +74,7 @@ interlume::InflowFunction* vtkInflowMapping::GetOrCreate(int id, int kind)
 {
   if (id < ALL)
   {
-    vtkErrorMacro("Mapping id " << id << " is invalid. Use ALL or an id of at least 0.");
+    vtkErrorMacro("Mapping id " << id << " is invalid. Use ALL or a nonnegative id.");
     return nullptr;
   }
   std::shared_ptr<interlume::InflowFunction>& mapping = this->Mappings[id];
@@ -110,7 +110,7 @@ void vtkInflowMapping::AddRing(
 {
   if (!(width > 0.0) || !std::isfinite(centerU + centerV + radius + width + amplitude))
   {
-    vtkErrorMacro("The ring with id "
+    vtkErrorMacro("The ring for id "
       << id << " is ignored: center (" << centerU << ", " << centerV << "), radius " << radius
       << ", width " << width << ", amplitude " << amplitude
       << ". All values must be finite, and the width must be greater than 0.");
@@ -342,8 +342,8 @@ int vtkInflowMapping::RequestData(
       reached += arrays.IsReached(p) ? 1 : 0;
     }
     vtkWarningMacro("Inflow is NaN at all "
-      << number << " samples: " << reached << " reached a termination surface"
-      << (reached > 0 ? ", where the mapping has no finite value." : "."));
+      << number << " samples: " << reached << " of them reached a termination surface"
+      << (reached > 0 ? ", but the mapping has no finite value there." : "."));
   }
   return 1;
 }

@@ -222,7 +222,7 @@ interlume::Error vtkStreamSurfaceParameters::FindContours(
       if (const interlume::Error error = surface->Update())
       {
         return error.Within(
-          "The termination surface with id " + std::to_string(id) + " cannot be used: ");
+          "The termination surface with id " + std::to_string(id) + " cannot be used: ", ".");
       }
       const std::array<bool, 2> isPeriodic = work.GetArrays().GetPeriodicity(id);
       isJoined = { { this->Mapping->IsContinued(id, 0, isPeriodic[0], isPeriodic[1]),
@@ -262,9 +262,10 @@ int vtkStreamSurfaceParameters::RequestData(
   {
     if (interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
     {
-      vtkWarningMacro("The input has no triangles. Connect output port 1 of a vtkFlowVolume with "
-                      "GenerateStreamSurfaces on, and with intervals or StreamSurfaces inside the "
-                      "range of Inflow.");
+      vtkWarningMacro(
+        "The input has no triangles. Connect output port 1 of a vtkFlowVolume that has "
+        "GenerateStreamSurfaces on and has intervals or StreamSurfaces inside the range of "
+        "Inflow.");
     }
     return 1;
   }

@@ -31,7 +31,8 @@ std::string vtkTerminationBox::Update()
   {
     if (!(this->Bounds[2 * i] < this->Bounds[2 * i + 1]))
     {
-      return std::string("the box's lower bound of ") + "xyz"[i] + " is not below its upper";
+      return std::string("the box's lower bound in ") + "xyz"[i] +
+        " is not less than its upper bound";
     }
   }
   return {};

@@ -100,7 +100,7 @@ std::string vtkTerminationTube::Update()
   {
     if (ids[i] < 0 || ids[i] >= this->Line->GetNumberOfPoints())
     {
-      return "the tube's line has point " + std::to_string(ids[i]) + ", which does not exist";
+      return "the tube's line refers to point " + std::to_string(ids[i]) + ", which does not exist";
     }
     this->Line->GetPoint(ids[i], glm::value_ptr(points[i]));
   }

@@ -270,9 +270,10 @@ int vtkVortexAxis::RequestData(
     vtkWarningMacro("No plane perpendicular to Axis ("
       << this->Axis[0] << ", " << this->Axis[1] << ", " << this->Axis[2]
       << ") has a vortex: the in-plane velocity is 0 at " << search.GetZeros().size()
-      << " points in " << flow.GetNumberOfPlanes()
+      << " points in the " << flow.GetNumberOfPlanes()
       << " planes, but the flow rotates around none of these points"
-      << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength." : "."));
+      << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength requires."
+                                           : "."));
   }
   SetReport(this->Report, flow.GetNumberOfPlanes(),
     static_cast<vtkIdType>(search.GetZeros().size()), output->GetNumberOfPoints(),

@@ -245,10 +245,12 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   }
   if (slice.InvalidCell >= 0)
   {
-    vtkErrorMacro("Cell " << slice.InvalidCell
-                          << " is not a 4-simplex (a VTK_POLY_VERTEX of five points): it has type "
-                          << input->GetCellType(slice.InvalidCell) << " and "
-                          << input->GetCells()->GetCellSize(slice.InvalidCell) << " points.");
+    vtkErrorMacro(
+      "Cell " << slice.InvalidCell
+              << " is not a 4-simplex (a VTK_POLY_VERTEX with five points): it has type "
+              << input->GetCellType(slice.InvalidCell) << " and "
+              << input->GetCells()->GetCellSize(slice.InvalidCell)
+              << " points. Connect port 2 of vtkTimeVaryingIntervalVolume.");
     empty.SetExplained();
     return;
   }

@@ -205,8 +205,8 @@ Error vtkTimeSlabWriter::WriteSlabs(
   }
   if (replaced > 0)
   {
-    vtkWarningMacro("Existing slab files that did not match and were replaced: "
-      << replaced << ". The first: " << firstDifference);
+    vtkWarningMacro("Damaged or outdated slabs replaced: " << replaced << ". First affected file: "
+                                                           << firstDifference);
   }
   for (const Port& port : ports)
   {
@@ -315,7 +315,7 @@ bool vtkTimeSlabWriter::IsWritten(
     }
     if (!difference.empty())
     {
-      difference = name + (isIntact ? ": these differ: " : ": ") + difference + ".";
+      difference = name + (isIntact ? " (it differs in " : " (") + difference + ").";
       return false;
     }
   }

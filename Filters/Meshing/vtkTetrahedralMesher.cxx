@@ -251,7 +251,7 @@ void vtkTetrahedralMesher::WarnIfEmpty()
       this->Report->GetNumber("SkippedCells") + this->Report->GetNumber("UnsupportedCells");
     vtkWarningMacro("The output is empty: " << (skippedCells > 0
                         ? "all " + std::to_string(static_cast<vtkIdType>(skippedCells)) +
-                          " three-dimensional cells are ghosts, hidden or of an unsupported type."
+                          " cells are ghosts, hidden, of an unsupported type or not three-dimensional."
                         : "the input has no points or only cells without volume."));
   }
 }

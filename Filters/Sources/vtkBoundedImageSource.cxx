@@ -67,8 +67,9 @@ void vtkBoundedImageSource::SetBounds(const double bounds[6])
     const double length = bounds[2 * axis + 1] - bounds[2 * axis];
     if (!(length > 0.0) || !std::isfinite(length))
     {
-      vtkErrorMacro("Bounds " << bounds[2 * axis] << " to " << bounds[2 * axis + 1] << " of axis "
-                              << axis << " do not span a finite, positive length.");
+      vtkErrorMacro("The bounds along axis " << axis << ", " << bounds[2 * axis] << " to "
+                                             << bounds[2 * axis + 1]
+                                             << ", must span a finite length greater than 0.");
       return;
     }
   }

@@ -183,8 +183,8 @@ void vtkConstructiveVolume::FitRoot(int resolution, double margin)
   if (!(*std::min_element(lengths, lengths + 3) >= 0.0) || !(longest > 0.0) ||
     !std::isfinite(longest) || !std::isfinite(margin) || !(margin > 0.0))
   {
-    vtkErrorMacro("FitRoot: the bounds of the root are empty or infinite, or the margin "
-      << margin << " is not finite and above 0.");
+    vtkErrorMacro("FitRoot: the bounds of the root must be finite and not empty, and the margin ("
+      << margin << ") must be finite and greater than 0.");
     return;
   }
   int dimensions[3];

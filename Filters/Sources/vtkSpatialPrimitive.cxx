@@ -58,7 +58,8 @@ void vtkSpatialPrimitive::SetCenter(double x, double y, double z)
   const double center[3] = { x, y, z };
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
   {
-    vtkErrorMacro("The center " << x << " " << y << " " << z << " is not finite.");
+    vtkErrorMacro(
+      "The center (" << x << ", " << y << ", " << z << ") is not finite and was ignored.");
     return;
   }
   if (!std::equal(center, center + 3, this->Center))
@@ -72,8 +73,9 @@ void vtkSpatialPrimitive::SetSize(double& member, double size, const char* name,
 {
   if (!(size > 0.0 || (canBeZero && size == 0.0)) || !std::isfinite(size))
   {
-    vtkErrorMacro("The " << name << " " << size << " is not finite or "
-                         << (canBeZero ? "below 0." : "not above 0."));
+    vtkErrorMacro("The " << name << " must be finite and "
+                         << (canBeZero ? "at least 0" : "greater than 0") << ", but is " << size
+                         << ".");
     return;
   }
   if (member != size)
@@ -89,7 +91,7 @@ void vtkSpatialPrimitive::SetLengths(double x, double y, double z)
   if (!std::all_of(lengths, lengths + 3, [](double l) { return l > 0.0 && std::isfinite(l); }))
   {
     vtkErrorMacro(
-      "The lengths " << x << " " << y << " " << z << " are not all finite and above 0.");
+      "The lengths (" << x << ", " << y << ", " << z << ") must be finite and greater than 0.");
     return;
   }
   if (!std::equal(lengths, lengths + 3, this->Lengths))
@@ -120,7 +122,7 @@ void vtkSpatialPrimitive::SetLimits(const double limits[6])
     if (!(limits[2 * axis] <= limits[2 * axis + 1]))
     {
       vtkErrorMacro("The limits " << limits[2 * axis] << " and " << limits[2 * axis + 1]
-                                  << " of axis " << axis << " are not in ascending order.");
+                                  << " along axis " << axis << " are not in ascending order.");
       return;
     }
   }

@@ -42,9 +42,9 @@ void vtkSMCompleteRowsDomain::WarnIfIncomplete()
   const unsigned int number = property->GetNumberOfElements();
   if (number % row != 0 && number != this->LastIncompleteSize)
   {
-    vtkWarningMacro("The last row of " << property->GetXMLLabel() << " has " << number % row
-                                       << " of " << row
-                                       << " values and is ignored. Set all values of the row.");
+    vtkWarningMacro("The last row of " << property->GetXMLLabel() << " has only " << number % row
+                                       << " of its " << row
+                                       << " values and is ignored. Fill in the whole row.");
   }
   this->LastIncompleteSize = number % row == 0 ? 0 : number;
 }

@@ -104,14 +104,15 @@ int vtkInflowTextureRepresentation::RequestData(
   {
     vtkErrorMacro("The image has no point arrays. Inflow Textures requires the arrays that the "
                   "Implicit Flow Field filter generates, such as TerminationUV. Apply that filter "
-                  "first, with Image as its Sample Mode.");
+                  "first, with its Sample Mode set to Image.");
   }
   if (!input || image)
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
   vtkErrorMacro("Inflow Textures requires an image, but the input is a "
-    << input->GetClassName() << ". Set Sample Mode of the Implicit Flow Field filter to Image.");
+    << input->GetClassName()
+    << ". Set the Sample Mode of the Implicit Flow Field filter to Image.");
   return this->RequestDataOf(vtkNew<vtkImageData>(), request, inputVector, outputVector);
 }
 

@@ -218,15 +218,15 @@ int vtkShadowedSliceRepresentation::RequestData(
   if (!blocks.GetImage() && !parts.empty())
   {
     vtkErrorMacro("Shadowed Slices requires an image, but the input is a "
-      << input->GetClassName() << " of " << parts.size() << " datasets, the first a "
-      << (parts[0] ? parts[0]->GetClassName() : "null") << ". Resample the input to an image.");
+      << input->GetClassName() << " with " << parts.size() << " datasets (the first: "
+      << (parts[0] ? parts[0]->GetClassName() : "null") << "). Resample the input to an image.");
   }
   else if (blocks.GetNumberOfSkippedDatasets() > 0)
   {
     vtkWarningMacro(
       "Shadowed Slices renders one image, or several images on one grid that together fill a box. "
       << blocks.GetNumberOfSkippedDatasets() << " of the " << parts.size()
-      << " datasets of the input are not rendered. Resample the input to one image.");
+      << " input datasets are not rendered. Resample the input to one image.");
   }
   return this->ShowImage(image, request, inputVector, outputVector);
 }
@@ -239,11 +239,10 @@ int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformatio
   this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(image);
   if (hasOpacityArray && !this->UseSeparateOpacityArray && image && this->FindColors(image))
   {
-    vtkWarningMacro("The opacity array '"
-      << this->OpacityArrayName
-      << "' is ignored: the array is missing, or is a point array "
-         "while the color array is a cell array, or vice "
-         "versa. Select another OpacityArray.");
+    vtkWarningMacro("The opacity array '" << this->OpacityArrayName
+                                          << "' is ignored, because it does not exist or because "
+                                             "only one of the opacity and color arrays "
+                                             "is a point array. Select another Opacity Array.");
   }
   const int result = image ? this->RequestDataOf(image, request, inputVector, outputVector)
                            : this->Superclass::RequestData(request, inputVector, outputVector);

@@ -38,8 +38,8 @@ void vtkImplicitFlowVolumeMapper::SetInflowTexture(int id, vtkImageData* image)
 {
   if (id < ALL)
   {
-    vtkErrorMacro(<< "SetInflowTexture: " << id << " is not a valid id of a termination surface. "
-                  << "Pass ALL or an id of 0 or above.");
+    vtkErrorMacro(<< "SetInflowTexture: " << id << " is not a valid termination surface id. "
+                  << "Pass ALL or a nonnegative id.");
     return;
   }
   if (this->GetInflowTexture(id) == image)
@@ -182,7 +182,7 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
     vtkWarningMacro(
       << report.NonFiniteSamples << " samples have texture coordinates, times or array "
       << "values that are not finite. Samples without finite coordinates or times "
-      << "are drawn as if they had reached no surface; other values are treated as 0.");
+      << "are drawn as if they had reached no surface; other non-finite values are treated as 0.");
     this->WarningTime = input->GetMTime();
   }
 }

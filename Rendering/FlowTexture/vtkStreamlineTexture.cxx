@@ -79,7 +79,7 @@ void vtkStreamlineTexture::Load(vtkRenderer* renderer)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    vtkErrorMacro("The renderer has no vtkOpenGLRenderWindow. Add it to an OpenGL window.");
+    vtkErrorMacro("The renderer has no vtkOpenGLRenderWindow. Add the renderer to one.");
     return;
   }
   const bool isOther = this->RenderWindow != window;
@@ -118,8 +118,9 @@ void vtkStreamlineTexture::Upload()
   if (pyramid.NumberOfLines != this->NumberOfLines)
   {
     vtkErrorMacro("OpenGL's maximum texture size does not allow "
-      << this->NumberOfLines << " lines of " << this->TexelsPerLine << " texels. The texture has "
-      << pyramid.NumberOfLines << " lines. Reduce NumberOfLines or TexelsPerLine.");
+      << this->NumberOfLines << " lines of " << this->TexelsPerLine
+      << " texels. The texture has only " << pyramid.NumberOfLines
+      << " lines. Reduce NumberOfLines or TexelsPerLine.");
   }
   const int levels = pyramid.GetNumberOfLevels();
   vtkTextureObject* texture = this->TextureObject;

@@ -46,8 +46,8 @@ void vtkAreaLight::SetSize(double width, double height)
   if (!(width >= 0.0 && width <= MaximumSize && height >= 0.0 && height <= MaximumSize))
   {
     vtkErrorMacro("Size (" << width << ", " << height
-                           << ") is out of range and was ignored. Valid: 0 to " << MaximumSize
-                           << ".");
+                           << ") is out of range and was ignored. Both values must be from 0 to "
+                           << MaximumSize << ".");
     return;
   }
   if (this->Size[0] != width || this->Size[1] != height)

@@ -266,7 +266,7 @@ void vtkShadowedScenePass::WarnAboutUnsupportedActors()
     vtkWarningMacro(
       << prop->GetClassName() << " (" << static_cast<void*>(prop)
       << ") is drawn without shadows, because its mapper ignores render passes or its custom "
-         "fragment shader lacks VTK's light code.");
+         "fragment shader lacks VTK's lighting code.");
   }
   for (vtkProp* prop : this->Renderer->PopNonPeelableActors())
   {

@@ -55,10 +55,8 @@ class VolumeImage;
  * - MaximumNumberOfShadowLights, NumberOfLightSamples: the largest;
  * - ImageSampleDistance: the smallest; MaximumTextureMemory: the smallest nonzero value;
  * - AutoAdjustSampleDistances: on if it is on for all volumes;
- * - BILINEAR_LOOKUP if one volume uses it;
- * - SoftShadowMethod: SAMPLE_LAYERS if one volume uses it, otherwise ACCUMULATED_CONVOLUTION if one
- *   volume uses it;
- * - light buffers have three channels if one volume has a TransmissionColor.
+ * - BILINEAR_LOOKUP, and three channels for a TransmissionColor, if one volume uses them;
+ * - SoftShadowMethod: SAMPLE_LAYERS if one volume uses it, then ACCUMULATED_CONVOLUTION.
  *
  * Volumes are rendered one by one instead if rendering them together would need more than eight
  * times as many slices or exceed MaximumTextureMemory, or if a mapper draws several volumes. The
@@ -75,7 +73,7 @@ class VolumeImage;
  *
  * **Limitations**: volumes of other mappers neither cast nor receive shadows. An actor is drawn
  * without shadows, with a warning, if its mapper ignores render passes or its fragment shader lacks
- * VTK's light code. A translucent actor casts no shadow, with a warning, if its mapper is not a
+ * VTK's lighting code. A translucent actor casts no shadow, with a warning, if its mapper is not a
  * polygon or glyph mapper or its shader lacks VTK's depth peeling code. Actors in other renderers
  * cast no shadows. If there are no shadows or light images to compute, or during hardware
  * selection, the scene is drawn as if the pass did not exist.

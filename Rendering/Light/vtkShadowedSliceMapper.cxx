@@ -197,8 +197,9 @@ void vtkShadowedSliceMapper::ReportErrors()
   if (!result.Error && nonFinite > 0 && request.Scalars->GetMTime() != this->WarningTime)
   {
     const char* name = request.Scalars->GetName();
-    vtkWarningMacro(<< "The scalar array '" << (name ? name : "(unnamed)") << "' has " << nonFinite
-                    << " voxels with NaN or infinity. They are rendered as transparent.");
+    vtkWarningMacro(<< "The scalar array '" << (name ? name : "(unnamed)")
+                    << "' has NaN or infinite values in " << nonFinite
+                    << " voxels, which are rendered as transparent.");
     this->WarningTime = request.Scalars->GetMTime();
   }
 }

@@ -274,8 +274,8 @@ void CheckErrors(Check& check)
   };
   vtkNew<vtkFloatArray> array;
   array->SetName("density");
-  fails(nullptr, { { 1, 1, 1 } }, "no values");
-  fails(array, { { 0, 4, 4 } }, "no values");
+  fails(nullptr, { { 1, 1, 1 } }, "no scalar values");
+  fails(array, { { 0, 4, 4 } }, "no scalar values");
   fails(array, { { 1, 1, 1 } }, "density");
   array->SetNumberOfTuples(7);
   fails(array, { { 2, 2, 2 } }, "7 values for 8");

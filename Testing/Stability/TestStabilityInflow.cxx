@@ -140,7 +140,8 @@ void TestMapping(StabilityCatalogue& catalogue)
   const Messages messages = UpdateFilter(mapping);
   catalogue.Measure("none-reached", "no sample reaches a surface",
     "values other than NaN, with a warning",
-    messages.Warnings.find("0 reached") != std::string::npos ? CountValues(mapping) : NaN, 0.0);
+    messages.Warnings.find("0 of them reached") != std::string::npos ? CountValues(mapping) : NaN,
+    0.0);
 }
 
 /// Generates the flow volume of an inflow region, by default a cylinder above a disk.

@@ -82,7 +82,7 @@ void TestSurfaces(StabilityCatalogue& catalogue)
 
   auto bow = MakeCube();
   bow->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
-  Refuse(catalogue, "surface-bow", "a self-intersecting polygon", "cell 6", bow);
+  Refuse(catalogue, "surface-bow", "a self-intersecting polygon", "Cell 6", bow);
 
   auto crossing = MakeCube();
   AppendBox(crossing, { 0.37, 0.41, 0.43 }, { 1.37, 1.41, 1.43 });
@@ -107,7 +107,7 @@ void TestSurfaces(StabilityCatalogue& catalogue)
   auto missing = MakeCube();
   missing->GetPolys()->InsertNextCell({ 0, 1, 99 });
   Refuse(catalogue, "surface-missing-point", "a triangle with an invalid point id",
-    "Cell 6 has point 99", missing);
+    "Cell 6 refers to point 99", missing);
 
   auto sheet = MakeEmptySurface();
   sheet->SetPoints(MakeCube()->GetPoints());

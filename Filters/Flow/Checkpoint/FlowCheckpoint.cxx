@@ -78,7 +78,7 @@ Error FlowCheckpoint::Read()
   const std::string different = this->CurrentFingerprint.Compare(table->GetFieldData());
   if (!different.empty())
   {
-    return "these differ: " + different;
+    return "it differs in " + different;
   }
   return this->Record.Read(table).Within("it is damaged, ");
 }

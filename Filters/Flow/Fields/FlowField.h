@@ -39,7 +39,7 @@ public:
   static Error GetErrorWithoutCells()
   {
     return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
-           "append an image to itself along the third axis, extrude other grids";
+           "append an image to itself along the third axis, or extrude other grids";
   }
 
   bool IsCellIncluded(vtkIdType cell) const

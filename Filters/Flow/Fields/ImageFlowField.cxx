@@ -59,7 +59,7 @@ Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
     }
     if (!std::isfinite(rounding))
     {
-      return "the image's spacing and direction matrix have no inverse";
+      return "the image's spacing or direction matrix is singular or not finite";
     }
     this->Slack[i] = 1e-12 + 8.0 * DBL_EPSILON * rounding;
   }

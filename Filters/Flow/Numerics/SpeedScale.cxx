@@ -37,7 +37,7 @@ double FindLargest(const double vector[3], bool& isRepeated)
 // Returns the beginning of a warning about the vectors at \a number points.
 std::string DescribePoints(vtkIdType number, const char* array)
 {
-  return "The vectors" + (array ? std::string(" \"") + array + "\"" : "") + " at " +
+  return "The vectors" + (array ? std::string(" of array \"") + array + "\"" : "") + " at " +
     std::to_string(number) + " points ";
 }
 
@@ -63,7 +63,7 @@ std::string FillValues::Describe(const char* array, const std::string& effect) c
   text << DescribePoints(this->Number, array) << "look like fill values: ";
   if (this->Value != 0.0)
   {
-    text << "their component is " << this->Value << ", and ";
+    text << "each has a component equal to " << this->Value << ", and ";
   }
   text << "their speeds (up to " << this->LargestSpeed << ") are far above all other speeds (up to "
        << this->Scale << "). " << effect;

@@ -73,7 +73,7 @@ Error InflowFunction::CheckFormula() const
 {
   if (this->Formula.empty())
   {
-    return "The formula is empty.";
+    return "The formula is empty. Call SetFormula.";
   }
   const auto parser = MakeParser(this->Formula);
   Error error;
@@ -97,13 +97,13 @@ Error InflowFunction::ReadImage()
   vtkDataArray* array = this->Image->GetPointData()->GetScalars();
   if (this->Image->GetNumberOfPoints() < 1)
   {
-    return "The image has no points.";
+    return "The image has no points. Pass an image with active point scalars.";
   }
   if (std::count_if(dimensions, dimensions + 3, [](int size) { return size > 1; }) > 2)
   {
-    return "The image has three dimensions, " + std::to_string(dimensions[0]) + " x " +
+    return "The image has " + std::to_string(dimensions[0]) + " x " +
       std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
-      ". Use a two-dimensional image.";
+      " points. Use a two-dimensional image.";
   }
   if (Error error = array ? ArrayCheck::FindPointError(this->Image, array, 0)
                           : "the image has no active point scalars")

@@ -292,8 +292,8 @@ Error DistributedField::MakeImage(vtkDataSet* data)
   {
     if (numbers[i] != -negatives[i])
     {
-      return "The pieces of the field on different processes differ in origin, spacing or "
-             "direction. Use the same geometry on all processes.";
+      return "The origin, spacing or direction matrix of the image differs between processes. "
+             "Use the same values in all processes.";
     }
   }
   return {};
@@ -433,7 +433,7 @@ Error DistributedField::UniteBlocks()
   const std::string first = this->Exchange.FindFirstText(own);
   if (this->Exchange.IsAnywhere(!own.empty() && own != first))
   {
-    return "the blocks of the processes differ in arrays or data types";
+    return "the blocks of the processes have different arrays or data types";
   }
   SharedPoints::CopyFromLowestRank(
     positions, arrays, this->IsEmpty() ? 0 : this->Data->GetNumberOfPoints(), this->Exchange);

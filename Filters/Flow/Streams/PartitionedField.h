@@ -20,9 +20,9 @@ namespace interlume
  * @brief   partition of a field on an image, rectilinear grid or structured grid
  *
  * Cell numbers, indices and positions are bit-identical to those of the whole grid. Therefore a
- * streamline does not depend on the process that traces it. A walker may be in any held cell, but
- * may continue only in cells that the process owns (IsHere), because all of their neighbors are
- * held.
+ * streamline does not depend on the process that traces it. A walker may be in any cell that the
+ * process holds. It may continue only from cells that the process owns (IsHere), because the
+ * process also holds all of their neighbors.
  *
  * \a BaseField is ImageFlowField, RectilinearFlowField or StructuredFlowField.
  */

@@ -70,7 +70,7 @@ Error CheckTexture(vtkPolyData* data)
   vtkDataArray* texture = data->GetPointData()->GetTCoords();
   if (!texture)
   {
-    return "the mesh has no texture coordinates: its point data have no active TCoords";
+    return "the mesh has no texture coordinates; set the active TCoords of its point data";
   }
   return ArrayCheck::FindPointError(data, texture, 2).Within("the mesh's texture coordinates, ");
 }
@@ -92,7 +92,7 @@ Error TerminationTriangles::FindTriangles(vtkPolyData* data, std::vector<Polygon
       {
         if (ids[i] < 0 || ids[i] >= data->GetNumberOfPoints())
         {
-          return Name("cell", cellId) + " has point " + std::to_string(ids[i]) +
+          return Name("cell", cellId) + " refers to point " + std::to_string(ids[i]) +
             ", which does not exist";
         }
         if (!FiniteNumbers::AreFinite(data->GetPoint(ids[i]), 3))

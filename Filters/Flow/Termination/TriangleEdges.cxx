@@ -89,7 +89,8 @@ Error TriangleEdges::OrientPart(
       else if (turns[other] != turn)
       {
         const int* corners = mesh.Triangles[triangle].Corners;
-        return "the mesh is one-sided: it cannot be oriented at the edge from point " +
+        return "the mesh is one-sided: its triangles cannot be oriented consistently at the edge "
+               "from point " +
           std::to_string(mesh.PointIds[corners[i]]) + " to point " +
           std::to_string(mesh.PointIds[corners[(i + 1) % 3]]);
       }

@@ -196,7 +196,7 @@ std::string EmptyOutputDiagnosis::ExplainFromData(const std::string& sought)
   if (!this->HasSolidCells)
   {
     why << "none of the input's " << this->Cells
-        << " cells is three-dimensional. A surface, lines or points have no interior.";
+        << " cells is three-dimensional. Surfaces, lines and points have no interior.";
     return why.str();
   }
   if (this->Values.IsEmpty())

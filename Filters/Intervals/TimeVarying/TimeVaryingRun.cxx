@@ -164,7 +164,7 @@ Error TimeVaryingRun::AddLeafStep(
   const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
   if (this->NextStep > 0 && isEmpty != !leaf.Before)
   {
-    return "a dataset is empty either at this or at the previous time step, but not at both. The "
+    return "a dataset is empty at this time step but not at the previous one, or vice versa. The "
            "cells must be the same at all time steps.";
   }
   if (isEmpty)

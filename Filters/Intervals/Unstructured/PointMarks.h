@@ -16,7 +16,7 @@ namespace interlume
 
 /**
  * @class   PointMarks
- * @brief   one byte per point; the bitwise union over a cell's corners shows whether an item may
+ * @brief   one byte per point; the bitwise OR over a cell's corners shows whether an item may
  *          intersect the cell
  *
  * The codes are grouped into at most seven ranges with one bit each. The eighth bit marks NaN and
@@ -85,7 +85,7 @@ public:
     }
   }
 
-  /// Computes the union of the marks of each point at two time steps.
+  /// Computes the bitwise OR of each point's marks at two time steps.
   void Fill(const Code* codes, const Code* codesAfter, vtkIdType first, vtkIdType last)
   {
     const Mark* const codeMarks = this->CodeMarks.data();
@@ -105,13 +105,13 @@ public:
   bool HasSingleIsovalue() const { return this->NonFinite == 3; }
   ///@{
   /// For a single isovalue: IsReached() returns true if a point's value is at least the isovalue,
-  /// and HasTie() if the value of any corner equals it. \a all is the bitwise union of the marks of
+  /// and HasTie() if the value of any corner equals it. \a all is the bitwise OR of the marks of
   /// all corners.
   static bool IsReached(Mark mark) { return mark > 1; }
   static bool HasTie(Mark all) { return all & 2; }
   ///@}
 
-  /// The following functions take the bitwise union of the marks of a cell's corners.
+  /// The following functions take the bitwise OR of the marks of a cell's corners.
   static bool IsNonFinite(Mark all) { return all & NonFiniteMark; }
   bool MayIntersect(Mark all) const { return this->Near[all]; }
 

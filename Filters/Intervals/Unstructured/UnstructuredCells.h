@@ -55,7 +55,7 @@ public:
     return this->CornersOfType[this->Types[cell]];
   }
 
-  /// Returns the bitwise union of the marks of a cell's corners.
+  /// Returns the bitwise OR of the marks of a cell's corners.
   Mark GetMarks(vtkIdType cell, int corners, const Mark* marks) const
   {
     const Stored* ids = this->GetFirst(cell);
@@ -68,7 +68,7 @@ public:
   }
 
   /// Calls visit(cell, all) for the cells in [first, last) of a uniform grid, where all is the
-  /// bitwise union of the marks of the cell's corners.
+  /// bitwise OR of the marks of the cell's corners.
   template <typename Visitor>
   void ForEachMarkUnion(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
   {

@@ -90,7 +90,7 @@ Error CellShell::Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation
     {
       if (point < 0 || point >= input->GetNumberOfPoints())
       {
-        return "it uses point " + std::to_string(point) + ", which does not exist";
+        return "it refers to point " + std::to_string(point) + ", which does not exist";
       }
       glm::dvec3 x;
       input->GetPoint(point, glm::value_ptr(x));
@@ -165,10 +165,11 @@ Error CellShell::Orient()
   {
     if (edge.second.size() != 2)
     {
-      return "its faces do not form a closed surface: the edge from point " +
+      return "its faces do not form a closed surface, because the number of triangles at the edge "
+             "from point " +
         std::to_string(this->PointIds[edge.first[0]]) + " to point " +
-        std::to_string(this->PointIds[edge.first[1]]) + " belongs to " +
-        std::to_string(edge.second.size()) + " triangles of its faces instead of 2";
+        std::to_string(this->PointIds[edge.first[1]]) + " is " +
+        std::to_string(edge.second.size()) + " instead of 2";
     }
   }
   // Traverse the surface, and flip triangles that are inconsistent with the previous triangle.

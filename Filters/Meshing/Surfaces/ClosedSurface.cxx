@@ -117,7 +117,7 @@ Error ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
       {
         if (point < 0 || point >= input->GetNumberOfPoints())
         {
-          return "Cell " + std::to_string(cell) + " has point " + std::to_string(point) +
+          return "Cell " + std::to_string(cell) + " refers to point " + std::to_string(point) +
             ", which does not exist.";
         }
         isUsed[point] = true;
@@ -161,7 +161,8 @@ Error ClosedSurface::AddPolygons(vtkDataSet* input)
       triangles.clear();
       if (!triangulation.Triangulate(polygon, triangles))
       {
-        return "The polygon of cell " + std::to_string(cell) + " intersects itself or has no area.";
+        return "Cell " + std::to_string(cell) +
+          " has a polygon that intersects itself or has no area. Correct or remove it.";
       }
       for (const auto& triangle : triangles)
       {
@@ -332,7 +333,7 @@ Error ClosedSurface::ConnectEdges()
       return "The surface is open: the edge from point " +
         std::to_string(this->Points.SourceIds[edges[i].From]) + " to point " +
         std::to_string(this->Points.SourceIds[edges[i].To]) + " belongs to cell " +
-        std::to_string(this->Triangles[edges[i].Triangle].Cell) + " only.";
+        std::to_string(this->Triangles[edges[i].Triangle].Cell) + " only. Close the surface.";
     }
     if (next == i + 2)
     {

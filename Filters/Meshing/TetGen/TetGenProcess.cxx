@@ -59,7 +59,7 @@ std::string Describe(int code)
     case 10:
       return "it rejected the input";
     default:
-      return "it threw error code " + std::to_string(code);
+      return "it reported error code " + std::to_string(code);
   }
 }
 }

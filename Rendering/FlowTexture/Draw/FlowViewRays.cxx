@@ -45,7 +45,7 @@ Error FlowViewRays::Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4
   if (!(std::abs(size) > 0.0) || !std::isfinite(size))
   {
     return "The matrix from voxel to world coordinates is singular or not finite. Check the "
-           "spacing and direction matrix of the image and the matrix of the volume.";
+           "image's spacing and direction matrix and the volume's matrix.";
   }
   this->Spacing = std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
   this->Diagonal = glm::length(axes * this->BoxUpper);

@@ -209,9 +209,11 @@ Error FlowVolumeRenderer::Draw(FlowRenderFrame& pass, WindowResources& resources
     FloatTexture::Allocate(window, resources.Image, pass.Size[0], pass.Size[1], 4, true);
   if (pass.Report.ImageBufferBytes == 0)
   {
-    return { "The GPU is out of memory for the image buffer. Reduce the size of the window or "
-             "increase ImageSampleDistance.",
-      ErrorCode::OutOfMemory };
+    return {
+      "The GPU does not have enough memory for the image buffer. Reduce the size of the window or "
+      "increase ImageSampleDistance.",
+      ErrorCode::OutOfMemory
+    };
   }
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();

@@ -136,10 +136,11 @@ Error EmitterSampleLayers::Allocate(
     stack.Layers = std::min(this->NumberOfLayers - static_cast<int>(stack.First), maximum);
     hasMemory = prepare(stack.Texture, this->LayerSize, stack.Layers);
   }
-  return hasMemory ? Error()
-                   : Error("The graphics card is out of memory for the sample layers of an area "
-                           "light. Reduce NumberOfLightSamples or LightBufferSize.",
-                       ErrorCode::OutOfMemory);
+  return hasMemory
+    ? Error()
+    : Error("The graphics card does not have enough memory for the sample layers of an area "
+            "light. Reduce NumberOfLightSamples or LightBufferSize.",
+        ErrorCode::OutOfMemory);
 }
 
 Error EmitterSampleLayers::Compile(vtkOpenGLRenderWindow* window, int channels)

@@ -76,8 +76,9 @@ Error SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const LightSource
     window, this->Temporary, light.BufferSize, light.BufferSize, channels, false);
   if (this->Bytes == 0)
   {
-    return Error("The graphics card is out of memory for the soft shadows of an area light. Reduce "
-                 "LightBufferSize.",
+    return Error(
+      "The graphics card does not have enough memory for the soft shadows of an area light. Reduce "
+      "LightBufferSize.",
       ErrorCode::OutOfMemory);
   }
   this->Framebuffer->SetContext(window);

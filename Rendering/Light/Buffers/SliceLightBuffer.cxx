@@ -50,7 +50,8 @@ Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState&
     window, this->Texture, this->Size, this->Size, image.GetLightChannels(), image.IsSmoothLookup);
   if (this->Bytes == 0)
   {
-    return Error("The graphics card is out of memory for a light buffer. Reduce LightBufferSize.",
+    return Error(
+      "The graphics card does not have enough memory for a light buffer. Reduce LightBufferSize.",
       ErrorCode::OutOfMemory);
   }
   if (Error error = this->PrepareSoftShadows(window, image, polygons))
@@ -129,8 +130,9 @@ Error SliceLightBuffer::PrepareVolume(
       window, layer, this->Size, this->Size, frame.Image->GetLightChannels(), false);
     if (bytes == 0)
     {
-      return Error("The graphics card is out of memory for the layers of a light buffer. Reduce "
-                   "LightBufferSize.",
+      return Error(
+        "The graphics card does not have enough memory for the layers of a light buffer. Reduce "
+        "LightBufferSize.",
         ErrorCode::OutOfMemory);
     }
     this->Bytes += bytes;

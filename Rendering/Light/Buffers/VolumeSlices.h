@@ -27,11 +27,11 @@ struct VolumeRenderState;
 
 /**
  * @class   VolumeSlices
- * @brief   draws one volume into an image of slices
+ * @brief   draws the slices of one volume into an image
  *
- * Volumes that share the slices of an image have separate polygons in common planes, and separate
- * programs and textures. GPUs have too few texture units for the textures of all volumes. Therefore
- * only one volume's textures are bound at a time.
+ * Volumes rendered together are sliced by the same planes, but each has its own polygons, programs
+ * and textures. GPUs have too few texture units for the textures of all volumes, so only one
+ * volume's textures are bound at a time.
  */
 class VolumeSlices
 {
@@ -60,8 +60,8 @@ public:
   vtkOpenGLBufferObject* GetVertices() { return this->Vertices; }
 
   /**
-   * Prepares the programs that draw the camera's view in a sweep. \a isMarked is true if any volume
-   * of the image has two programs. \a activate binds the textures that all volumes share. A volume
+   * Prepares the programs that draw the camera's view in a sweep. If \a isMarked is true, each slab
+   * is drawn at a separate depth. \a activate binds the textures that all volumes share. A volume
    * without triangles has no programs. Returns an error if a program cannot be compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded, bool isMarked,

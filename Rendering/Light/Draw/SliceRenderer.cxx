@@ -246,9 +246,10 @@ Error SliceRenderer::MakePlan(const Volumes& volumes, double coarseness, SliceRe
   bytes += SlicePlanner::GetBufferBytes(this->Image, states);
   if (this->Settings.MaximumTextureMemory > 0 && bytes > this->Settings.MaximumTextureMemory)
   {
-    return Error("Textures and buffers of the image need " + std::to_string(bytes) +
+    return Error("The textures and buffers of the volumes need " + std::to_string(bytes) +
         " bytes, but MaximumTextureMemory is " +
-        std::to_string(this->Settings.MaximumTextureMemory) + ".",
+        std::to_string(this->Settings.MaximumTextureMemory) +
+        ". Increase it or use smaller volumes.",
       ErrorCode::OutOfMemory);
   }
   return {};

@@ -169,8 +169,8 @@ Error SurfaceOcclusionGrid::Make(vtkOpenGLRenderWindow* window, const SliceScene
     const std::vector<float> values = DrawFractions(window, scene, grid, worldFromUnit, fraction);
     if (values.size() < 4 * cells)
     {
-      return Error("The shadows of surfaces in scattered light could not be rendered: creating a "
-                   "shader or texture failed.",
+      return Error("The shadows of surfaces in scattered light could not be rendered, because a "
+                   "shader or texture could not be created.",
         ErrorCode::OpenGL);
     }
     for (std::size_t cell = 0; cell < cells; ++cell)

@@ -133,7 +133,7 @@ Error SetScreen(LightSource& source, const Placement& placement, const glm::dvec
   if (!source.Projective->GetScreenMatrix(glm::value_ptr(source.Position),
         glm::value_ptr(focalPoint), glm::value_ptr(viewUp), 1.0 / space.Radius, matrix))
   {
-    return "the matrix of its screen is not finite";
+    return "its screen matrix is not finite";
   }
   source.ScreenFromUnit = UnitVector::FromRows(matrix->GetData());
   return source.Projective->GetImageError();

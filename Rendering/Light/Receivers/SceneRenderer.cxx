@@ -220,7 +220,7 @@ Error SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
     this->Placeholder->Create2DFromRaw(1, 1, 1, VTK_FLOAT, &texel);
   return isMade
     ? Error()
-    : Error("The graphics card is out of memory for a texture.", ErrorCode::OutOfMemory);
+    : Error("The graphics card does not have enough memory for a texture.", ErrorCode::OutOfMemory);
 }
 
 Error SceneRenderer::DrawShadowMaps(vtkRenderer* renderer)
@@ -258,8 +258,8 @@ Error SceneRenderer::DrawEyeDepth(vtkRenderer* renderer, int channels)
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &left, &bottom);
   if (size[0] <= 0 || size[1] <= 0 || !this->CameraDepth.Allocate(window, size[0], size[1]))
   {
-    return Error(
-      "The graphics card is out of memory for the depth of the actors, or the viewport is empty.",
+    return Error("The graphics card does not have enough memory for the depth buffer of the "
+                 "actors, or the viewport is empty.",
       ErrorCode::OutOfMemory);
   }
   // Surfaces that other renderers have drawn also hide volumes.
@@ -323,7 +323,8 @@ Error SceneRenderer::PeelLayers(vtkRenderer* renderer)
   // programs.
   if (!this->Transmittance.Make(window) || !this->LayerLight.Make(window))
   {
-    return Error("The graphics card is out of memory for the light at translucent surfaces.",
+    return Error("The graphics card does not have enough memory for the lighting of translucent "
+                 "surfaces. Reduce the size of the window.",
       ErrorCode::OutOfMemory);
   }
   this->UpdateShader(renderer, true);
@@ -338,7 +339,8 @@ Error SceneRenderer::PeelLayers(vtkRenderer* renderer)
   this->IsDepthOnly = false;
   if (!error && this->Layers.GetNumber() > 0 && !this->Layers.Clear(window, size[0], size[1]))
   {
-    error = Error("The graphics card is out of memory for the image of translucent surfaces.",
+    error = Error("The graphics card does not have enough memory for the image of translucent "
+                  "surfaces. Reduce the size of the window.",
       ErrorCode::OutOfMemory);
   }
   this->Report.CameraLayers = static_cast<int>(this->Layers.GetNumber());

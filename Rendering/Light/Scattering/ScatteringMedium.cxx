@@ -36,9 +36,10 @@ Error ScatteringMedium::Check() const
     (!this->Blocked.empty() && this->Blocked.size() != number))
   {
     return "The scattering grid has " + std::to_string(number) + " cells, but " +
-      std::to_string(this->Extinction.size()) + " values of extinction, " +
-      std::to_string(this->Albedo.size()) + " of albedo and " +
-      std::to_string(this->Blocked.size()) + " of blocked cells.";
+      std::to_string(this->Extinction.size()) + " extinction values, " +
+      std::to_string(this->Albedo.size()) + " albedo values and " +
+      std::to_string(this->Blocked.size()) +
+      " flags for blocked cells. Every cell needs an extinction and an albedo; flags are optional.";
   }
   return {};
 }

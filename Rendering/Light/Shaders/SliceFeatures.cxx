@@ -70,8 +70,8 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "mask", "MASK", EVERY, "", "CUSTOM_MEDIUM" },
     { "cropping", "CROPPING", EVERY },
     { "clipping", "CLIPPING_PLANES=2", EVERY },
-    // Numbers make the sources of volumes and lights differ, because programs with equal sources
-    // share their uniforms.
+    // The numbers give each volume and light its own program. With equal shader sources, VTK would
+    // share one program, and thus its uniforms.
     { "volume", "VOLUME_NUMBER=1", EVERY },
     { "light", "LIGHT_NUMBER=1", LIGHT | RECEIVER },
     // Transmission colors.

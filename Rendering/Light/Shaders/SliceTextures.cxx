@@ -226,8 +226,8 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& 
   {
     this->Volume->ReleaseGraphicsResources(window);
     this->Mask->ReleaseGraphicsResources(window);
-    return Error("The graphics card has too little memory for the volume's textures of " +
-        std::to_string(GetBytes(samples)) + " bytes. Use a smaller volume.",
+    return Error("The graphics card does not have enough memory for the volume's textures (" +
+        std::to_string(GetBytes(samples)) + " bytes). Use a smaller volume.",
       ErrorCode::OutOfMemory);
   }
   return {};
@@ -262,7 +262,7 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& 
   this->SumTexels = MakeSums(material);
   return glGetError() == GL_NO_ERROR
     ? Error()
-    : Error("The graphics card has too little memory for the transfer functions.",
+    : Error("The graphics card does not have enough memory for the transfer functions.",
         ErrorCode::OutOfMemory);
 }
 
@@ -294,8 +294,8 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering
   }
   return glGetError() == GL_NO_ERROR
     ? Error()
-    : Error("The graphics card has too little memory for " + std::to_string(GetBytes(scattering)) +
-          " bytes of scattered light. Use a smaller ScatteringGridSize.",
+    : Error("The graphics card does not have enough memory for the scattered light (" +
+          std::to_string(GetBytes(scattering)) + " bytes). Use a smaller ScatteringGridSize.",
         ErrorCode::OutOfMemory);
 }
 

@@ -42,8 +42,9 @@ Error SurfaceShadowMaps::Draw(vtkRenderer* renderer, const std::vector<ShadowMap
   this->State.clear();
   if (!this->Depths.Allocate(window, this->Tiles.GetWidth(), this->Tiles.GetHeight()))
   {
-    return Error("The graphics card is out of memory for the shadow maps of surfaces. Reduce "
-                 "DepthMapResolution.",
+    return Error(
+      "The graphics card does not have enough memory for the shadow maps of surfaces. Reduce "
+      "DepthMapResolution.",
       ErrorCode::OutOfMemory);
   }
   vtkSmartPointer<vtkCamera> camera = renderer->GetActiveCamera();

@@ -104,7 +104,8 @@ Error UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFro
   const glm::dmat4 worldFromIndex = FromRows(worldFromVolume->GetData()) * volumeFromIndex;
   if (!IsFinite(worldFromIndex) || !IsFinite(volumeFromIndex))
   {
-    return "The matrix of the volume or of its image is not finite.";
+    return "The matrix from image to world coordinates is not finite. Check the image's origin, "
+           "spacing and direction matrix and the volume's matrix.";
   }
   const double* last = worldFromVolume->GetData() + 12;
   if (last[0] != 0.0 || last[1] != 0.0 || last[2] != 0.0 || last[3] != 1.0)
@@ -124,22 +125,25 @@ Error UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFro
   this->SetSphere(worldFromTexture, TransformPoint(worldFromIndex, index));
   if (!std::isfinite(this->Radius) || !(this->Radius > 0.0) || !std::isfinite(1.0 / this->Radius))
   {
-    return "The size of the volume is 0 or not finite. Check the spacing of the image and the "
-           "matrix of the volume.";
+    return "The size of the volume is 0 or not finite. Check the image's spacing and the "
+           "volume's matrix.";
   }
 
   const glm::dmat3 linear = (1.0 / this->Radius) * glm::dmat3(worldFromTexture);
   glm::dmat3 inverse;
   if (!Invert(linear, inverse))
   {
-    return "The matrix of the volume or of its image is singular.";
+    return "The matrix from image to world coordinates is singular. Check the image's spacing and "
+           "direction matrix and the volume's matrix.";
   }
   const glm::dvec3 textureCenter{ 0.5, 0.5, 0.5 };
   this->UnitFromTexture = MakeAffine(linear, -(linear * textureCenter));
   this->TextureFromUnit = MakeAffine(inverse, textureCenter);
   const bool isFinite = IsFinite(this->TextureFromUnit) && IsFinite(this->UnitFromTexture) &&
     IsFinite(this->VolumeFromTexture);
-  return isFinite ? "" : "The matrix of the volume or of its image is not finite.";
+  return isFinite ? ""
+                  : "The matrix from image to world coordinates is not finite. Check the image's "
+                    "origin, spacing and direction matrix and the volume's matrix.";
 }
 
 void UnitSpace::MoveTo(const glm::dvec3& center, double radius)

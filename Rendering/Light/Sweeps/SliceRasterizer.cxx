@@ -60,8 +60,9 @@ Error SliceRasterizer::PrepareImage()
   vtkIdType bytes = FloatTexture::Allocate(window, this->Image, width, height, 4, true);
   if (bytes == 0)
   {
-    return Error("The graphics card is out of memory for the floating-point image of the slices. "
-                 "Reduce the size of the window.",
+    return Error(
+      "The graphics card does not have enough memory for the floating-point image of the slices. "
+      "Reduce the size of the window.",
       ErrorCode::OutOfMemory);
   }
   report.ImageBuffers = 1;
@@ -71,9 +72,8 @@ Error SliceRasterizer::PrepareImage()
     bytes = FloatTexture::Allocate(window, this->SweepImage, width, height, 4, false);
     if (bytes == 0)
     {
-      return Error(
-        "The graphics card is out of memory for a second floating-point image of the slices. "
-        "Reduce the size of the window.",
+      return Error("The graphics card does not have enough memory for a second floating-point "
+                   "image of the slices. Reduce the size of the window.",
         ErrorCode::OutOfMemory);
     }
     ++report.ImageBuffers;

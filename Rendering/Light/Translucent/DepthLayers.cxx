@@ -30,7 +30,8 @@ Error DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width, const std::vec
     layer.HasRest = false;
     if (!LayerTarget::Upload(window, layer.Texture, width, height, 1, behind))
     {
-      error = Error("The graphics card is out of memory for the layers of translucent surfaces.",
+      error = Error("The graphics card does not have enough memory for the layers of translucent "
+                    "surfaces. Reduce MaximumNumberOfLayers.",
         ErrorCode::OutOfMemory);
       break;
     }

@@ -99,7 +99,8 @@ Error TranslucentShadowMaps::DrawLayers(vtkRenderer* renderer, const std::vector
     (values.size() != 2 * texels * static_cast<std::size_t>(layers) ||
       !LayerTarget::Upload(window, this->Texture, width, layers * height, 2, values)))
   {
-    error = Error("The graphics card is out of memory for the shadow maps of translucent surfaces.",
+    error = Error("The graphics card does not have enough memory for the shadow maps of "
+                  "translucent surfaces. Reduce DepthMapResolution or MaximumNumberOfLayers.",
       ErrorCode::OutOfMemory);
   }
   this->Layers = error ? 0 : layers;

@@ -162,7 +162,7 @@ Error VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, 
   *this = VolumeSamples();
   if (!array || size[0] < 1 || size[1] < 1 || size[2] < 1)
   {
-    return "The volume has no values.";
+    return "The volume has no scalar values.";
   }
   const std::string name = array->GetName() ? array->GetName() : "(unnamed)";
   const int components = array->GetNumberOfComponents();

@@ -87,7 +87,7 @@ bool PeelingDeferral::Defer(
   {
     vtkWarningWithObjectMacro(mapper,
       << "UseDepthPeelingForVolumes is not supported and is ignored: the volume is drawn over "
-         "translucent polygons. Turn it off to avoid this warning.");
+         "translucent polygons. Turn off UseDepthPeelingForVolumes to avoid this warning.");
     this->HasWarned = true;
   }
   return true;

@@ -128,8 +128,8 @@ Error TetrahedraView::Set(
   const double determinant = std::abs(volumeMatrix->Determinant());
   if (!(determinant > 0.0) || !std::isfinite(determinant))
   {
-    return "the volume's matrix is singular or not finite; check its position, scale and user "
-           "matrix";
+    return "the volume's matrix is singular or not finite; check the volume's position, scale and "
+           "user matrix";
   }
   this->Unit = std::cbrt(determinant);
   this->WorldFromMesh = GetRows(volumeMatrix);

@@ -248,7 +248,8 @@ bool IsAtSea(const double* x)
 std::string DescribeValue(vtkIdType number, double value)
 {
   std::ostringstream text;
-  text << "at " << number << " points look like fill values: their component is " << value;
+  text << "at " << number << " points look like fill values: each has a component equal to "
+       << value;
   return text.str();
 }
 

@@ -384,7 +384,7 @@ void TestRejections(const std::string& name, Check& check)
       [](vtkImplicitFlowField* filter) { filter->SetMaximumError(1e-3); } },
     { "another direction", "Direction (0 stored, 1 now)",
       [](vtkImplicitFlowField* filter) { filter->SetDirectionToForward(); } },
-    { "other vectors", "these differ: vectors.",
+    { "other vectors", "it differs in vectors.",
       [&](vtkImplicitFlowField* filter)
       {
         vtkDataArray* vectors = getData(filter)->GetPointData()->GetVectors();
@@ -400,7 +400,7 @@ void TestRejections(const std::string& name, Check& check)
     { "another position", "field's points",
       [&](vtkImplicitFlowField* filter)
       { vtkImageData::SafeDownCast(getData(filter))->SetOrigin(-1.0, -0.9, -0.81); } },
-    { "a moved surface", "these differ: surface 0.",
+    { "a moved surface", "it differs in surface 0.",
       [](vtkImplicitFlowField* filter)
       {
         vtkTerminationPlane::SafeDownCast(filter->GetTerminationSurface(0))

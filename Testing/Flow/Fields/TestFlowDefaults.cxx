@@ -223,14 +223,14 @@ void TestWarnings(Check& check)
   field->SetInputDataObject(image);
   field->AddTerminationSurface(beside);
   check.Contains(WarningsOf(field),
-    "None of 729 samples reached a termination surface (left domain "
-    "729). Put the surface where the flow comes from");
+    "None of the 729 samples reached a termination surface (left domain: "
+    "729). Put a surface where the flow comes from");
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(field->GetOutputPort());
-  check.Contains(WarningsOf(mapping), "Inflow is NaN at all 729 samples: 0 reached");
+  check.Contains(WarningsOf(mapping), "Inflow is NaN at all 729 samples: 0 of them reached");
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(mapping->GetOutputPort());
-  check.Contains(WarningsOf(volume), "None of 729 samples reached");
+  check.Contains(WarningsOf(volume), "None of the 729 samples reached");
   check.That(WarningsOf(volume).find("None") == std::string::npos, "one warning per execution");
 
   field->RemoveAllTerminationSurfaces();
@@ -267,7 +267,7 @@ void TestWarnings(Check& check)
   vtkNew<vtkFlowCriticalPoints> points;
   points->SetInputData(image);
   check.Contains(WarningsOf(points),
-    "no isolated critical point in 512 cells. The velocity is 0 throughout 0 cells");
+    "no isolated critical point in any of its 512 cells. The velocity is 0 throughout 0 cells");
   vtkNew<vtkVortexAxis> axis;
   axis->SetInputData(image);
   check.Contains(WarningsOf(axis), "No plane perpendicular to Axis (0, 0, 1) has a vortex");

@@ -285,7 +285,7 @@ void CheckErrors(Check& check)
     auto plane = MakeBox(axis == 0 ? 0 : 3, axis == 1 ? 0 : 3, axis == 2 ? 0 : 3);
     expect(plane, AddRandomVectors(plane, 1), {},
       "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
-      "append an image to itself along the third axis, extrude other grids");
+      "append an image to itself along the third axis, or extrude other grids");
   }
   auto image = MakeBox(2, 2, 2);
   auto vectors = AddRandomVectors(image, 1);
@@ -303,7 +303,7 @@ void CheckErrors(Check& check)
   expect(image, shorter, {},
     "the array without a name has 26 tuples; 27 are needed, one for each point");
   image->SetSpacing(1.0, 0.0, 1.0);
-  expect(image, vectors, {}, "the image's spacing and direction matrix have no inverse");
+  expect(image, vectors, {}, "the image's spacing or direction matrix is singular or not finite");
   auto grid = MakeRectilinear(1.0, 1.0, false);
   auto gridVectors = AddRandomVectors(grid, 1);
   grid->GetYCoordinates()->SetTuple1(2, -5.0);

@@ -743,7 +743,7 @@ void TestMeshPieces(Check& check, vtkMultiProcessController* controller)
       makeSource([&](int, int) { return RankMeshes::MakePiece(mesh, 0, 1, 0); }),
       "to several processes" },
     { "blocks with different arrays", [&] { return RankMeshes::MakeBlockSource(mesh, 14, true); },
-      "differ in arrays" },
+      "have different arrays" },
   };
   for (const Pieces& pieces : all)
   {

@@ -264,7 +264,7 @@ void CheckMessages(Check& check)
   cells->InsertNextCell({ 0, 1, 2 });
   cells->InsertNextCell({ 0, 1, 4 });
   data->SetPolys(cells);
-  CheckMessage(data, "cell 1 of the mesh has point 4, which does not exist", check);
+  CheckMessage(data, "cell 1 of the mesh refers to point 4, which does not exist", check);
   data = mesh.MakeData();
   data->SetPolys(vtkNew<vtkCellArray>());
   CheckMessage(data, "no triangle with an area", check);

@@ -98,9 +98,9 @@ void CheckMessages(Check& check)
   CheckMessage(cylinder, "no length", check);
   vtkNew<vtkTerminationBox> box;
   box->SetBounds(0.0, 1.0, 0.0, 1.0, 2.0, 2.0);
-  CheckMessage(box, "lower bound of z is not below its upper", check);
+  CheckMessage(box, "lower bound in z is not less than its upper bound", check);
   box->SetBounds(3.0, 1.0, 0.0, 1.0, 0.0, 2.0);
-  CheckMessage(box, "lower bound of x is not below its upper", check);
+  CheckMessage(box, "lower bound in x is not less than its upper bound", check);
 }
 
 // Results with default settings are the same before and after the first Update.

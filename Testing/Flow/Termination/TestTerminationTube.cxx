@@ -258,7 +258,7 @@ void CheckData(Check& check)
   vtkNew<vtkCellArray> invalidLine;
   invalidLine->InsertNextCell({ 0, 99 });
   data->SetLines(invalidLine);
-  expectMessage("has point 99, which does not exist");
+  expectMessage("refers to point 99, which does not exist");
 }
 
 void CheckMessages(Check& check)

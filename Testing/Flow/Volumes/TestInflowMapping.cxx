@@ -303,7 +303,7 @@ void CheckErrors(Check& check)
   {
     check.Contains(
       CaptureErrors(mapping, [&]() { mapping->AddRing(0, ring[0], ring[1], ring[2], ring[3]); }),
-      "The ring with id");
+      "The ring for id");
   }
   check.Contains(CaptureErrors(mapping, [&]() { mapping->SetFormula(-2, "u"); }), "-2");
   check.Equal(mapping->GetKind(0), vtkInflowMapping::NONE, "the invalid setting is ignored");

@@ -189,13 +189,13 @@ void TestResume(const files::path& folder, Check& check)
   files::resize_file(slab, files::file_size(slab) / 2);
   std::string warning = WriteAgain(folder, 1, check);
   check.That(warning.find("replaced: 1.") != std::string::npos &&
-      warning.find("vortex_1.vtu: it is damaged") != std::string::npos,
+      warning.find("vortex_1.vtu (it is damaged") != std::string::npos,
     "the file in " + warning);
   check.That(ReadFiles(folder) == all, "the files are unchanged");
 
   check.SetContext("other times");
   warning = WriteAgain(folder, NumberOfSteps - 1, check, 0.01);
-  check.That(warning.find("these differ: times") != std::string::npos, "times in " + warning);
+  check.That(warning.find("it differs in times") != std::string::npos, "times in " + warning);
   check.That(ReadFiles(folder) != all, "other files");
   WriteAgain(folder, NumberOfSteps - 1, check);
   check.That(ReadFiles(folder) == all, "the original files again");
@@ -212,7 +212,7 @@ void TestResume(const files::path& folder, Check& check)
   check.Equal(writer->GetNumberOfResumedSlabs(), 0, "slabs of other data that are reused");
   warning = observer->GetWarningMessage();
   check.That(
-    warning.find("these differ: data at time 0.5") != std::string::npos, "data in " + warning);
+    warning.find("it differs in data at time 0.5") != std::string::npos, "data in " + warning);
   WriteAgain(folder, NumberOfSteps - 1, check);
 }
 

@@ -108,8 +108,8 @@ void CheckSpread(Check& check)
       const double sum =
         std::exp(-Depth * (1.0 - fraction) * position) - std::exp(-Depth * position);
       reference::KeepLargest(worstSum, std::abs(scattered / sum - 1.0));
-      // The angular variance, averaged over direct and scattered light, is proportional to the
-      // depth.
+      // The angular variance, averaged over direct and scattered light, grows linearly with depth.
+      // The lateral variance therefore grows with the cube of the depth.
       const double variance = Variance * Depth * fraction * position * position * position / 3.0;
       reference::KeepLargest(worst, std::abs(squares / (direct + scattered) / variance - 1.0));
     }
