@@ -249,10 +249,10 @@ void vtkTetrahedralMesher::WarnIfEmpty()
   {
     const double skippedCells =
       this->Report->GetNumber("SkippedCells") + this->Report->GetNumber("UnsupportedCells");
-    vtkWarningMacro("The output is empty: " << (skippedCells > 0
-                        ? "all " + std::to_string(static_cast<vtkIdType>(skippedCells)) +
-                          " cells are ghosts, hidden, of an unsupported type or not three-dimensional."
-                        : "the input has no points or only cells without volume."));
+    vtkWarningMacro("The output is empty: "
+      << (skippedCells > 0 ? "all " + std::to_string(static_cast<vtkIdType>(skippedCells)) +
+               " cells are ghosts, hidden, of an unsupported type or not three-dimensional."
+                           : "the input has no points or only cells without volume."));
   }
 }
 
