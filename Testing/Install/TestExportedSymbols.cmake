@@ -30,8 +30,9 @@ foreach (library IN LISTS LIBRARIES)
     message(FATAL_ERROR "${NM} found no symbols in ${library}")
   endif ()
   foreach (symbol IN LISTS symbols)
+    # Names of lambdas in member templates start with the return type if they are compiled with Clang.
     string(REGEX REPLACE
-      "^((typeinfo|typeinfo name|vtable|VTT|guard variable) for |(non-)?virtual thunk to )?(vtk[A-Za-z0-9]+|interlume::[A-Za-z0-9]+).*"
+      "^(void |(typeinfo|typeinfo name|vtable|VTT|guard variable) for |(non-)?virtual thunk to )?(vtk[A-Za-z0-9]+|interlume::[A-Za-z0-9]+).*"
       "\\4" class "${symbol}")
     if (NOT class IN_LIST classes)
       message(FATAL_ERROR "${library} exports a symbol that does not belong to a public class: ${symbol}")
