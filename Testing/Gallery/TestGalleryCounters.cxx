@@ -20,8 +20,9 @@ constexpr int OCCLUSION_BUFFERS = 5;
 constexpr int OCCLUSION_PASSES = 2;
 
 /// Scenes that turn off ambient occlusion, since its noise would show on their smooth surfaces.
-const std::set<std::string> WITHOUT_OCCLUSION = { "flow-disk", "flow-obstacle", "hurricane-inflow",
-  "implicit-stream", "streamline-zoom", "time-clip", "time-surfaces", "time-slices" };
+const std::set<std::string> WITHOUT_OCCLUSION = { "flow-disk", "flow-obstacle",
+  "flow-volume-boundary", "hurricane-inflow", "implicit-stream", "streamline-zoom", "time-clip",
+  "time-surfaces", "time-slices" };
 
 class Checker
 {
