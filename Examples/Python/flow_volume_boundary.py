@@ -4,10 +4,10 @@
 python3 flow_volume_boundary.py IMAGE.png
 """
 
-from interlume import vtkAnalyticFlowSource, vtkFlowVolume
+from interlume import vtkAnalyticFlowSource, vtkFlowVolume, vtkIntervalVolume
 from props import (
-    COLORS, PENCIL, make_actor, make_inflow, make_intervals, make_plane, run, select_triangles,
-    set_boundary)
+    COLORS, PENCIL, add_gradient, make_actor, make_inflow, make_intervals, make_plane, run,
+    select_triangles, set_boundary, set_gradient_normals)
 from stage import Stage
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
@@ -22,9 +22,9 @@ inflow = make_inflow(jet, nozzle, samples, "sqrt((u - 0.5)^2 + (v - 0.5)^2)")
 ring = vtkFlowVolume()
 ring.SetInterval(0, 0.16, 0.42)
 ring.GenerateStreamSurfacesOn()
-ring.GenerateNormalsOn()
-volume = make_intervals(run(ring, inflow), (COLORS[0], 0.7))
+volume = make_intervals(run(ring, add_gradient(inflow, "Inflow")), (COLORS[0], 0.5))
 inner = select_triangles(ring.GetOutputDataObject(1), "StreamSurfaceId", 0)
+set_gradient_normals(inner, vtkIntervalVolume.LOWER_SIDE)
 set_boundary(volume, inner, COLORS[2], 1.0)
 floor = vtkCubeSource()
 floor.SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0)

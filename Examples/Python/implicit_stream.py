@@ -23,10 +23,11 @@ samples = make_rings(tornado, (25, 145, 49), (-0.8, 1.0), lambda outward, z: (
 star = "1.9 * sqrt((u - 0.5)^2 + (v - 0.5)^2) * (1 + 0.25 * cos(4 * atan2(v - 0.5, u - 0.5)))"
 stream = vtkFlowVolume()
 stream.SetInterval(0, 0.3, 0.6)
+stream.SetStreamSurface(0, 0.5)
 stream.GenerateStreamSurfacesOn()
 inflow = add_gradient(make_inflow(tornado, ground, samples, star), "Inflow")
 volume = make_intervals(run(stream, inflow), (COLORS[0], 5.0))
-surface = make_smooth_surface(stream, 0, COLORS[0])
+surface = make_smooth_surface(stream, 1, COLORS[0])
 paint = make_painted_actor(ground, lambda u, v: 1.9 * np.hypot(u - 0.5, v - 0.5) * (
     1.0 + 0.25 * np.cos(4.0 * np.arctan2(v - 0.5, u - 0.5))), 0.3, 0.6, COLORS[2], (0.62, 0.66, 0.70))
 

@@ -8,8 +8,8 @@ from interlume import vtkIntervalVolume
 from props import COLORS, make_intervals, read, run
 from stage import Stage
 
-bounds = [30.0, 70.0, 120.0, 180.0, 255.0]
-extinctions = [0.25, 0.2, 0.3, 0.4]
+bounds = [40.0, 50.0, 100.0, 160.0, 255.0]
+extinctions = [0.3, 0.05, 0.12, 0.4]
 intervals = vtkIntervalVolume()
 for i in range(4):
     intervals.SetInterval(i, bounds[i], bounds[i + 1])

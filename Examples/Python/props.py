@@ -73,7 +73,10 @@ def add_gradient(data, array):
     gradient = vtkGradientFilter()
     gradient.SetInputScalars(vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     gradient.SetResultArrayName("Gradient")
-    return run(gradient, data)
+    result = run(gradient, data)
+    # vtkGradientFilter does not pass on the field data of structured datasets.
+    result.GetFieldData().PassData(data.GetFieldData())
+    return result
 
 
 def make_plane(center, u, v):

@@ -6,12 +6,13 @@ python3 time_slices.py IMAGE.png
 
 from interlume import vtkAnalyticFieldSource, vtkSimplexTimeSlice, vtkTimeVaryingIntervalVolume
 from props import COLORS, make_actor, make_surface, run, shade_by_field
-from stage import Stage
+from stage import INK, Stage
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 wave = vtkAnalyticFieldSource()
 wave.SetFieldToWave()
-wave.SetDimensions(320, 12, 8)
-wave.SetBounds(-3.4, 3.4, -0.65, 0.65, -0.7, 0.7)
+wave.SetDimensions(320, 8, 8)
+wave.SetBounds(-3.4, 3.4, -0.4, 0.4, -0.7, 0.7)
 wave.SetTimeRange(0.0, 0.5)
 wave.SetNumberOfTimeSteps(2)
 sheet = vtkTimeVaryingIntervalVolume()
@@ -21,18 +22,19 @@ sheet.GenerateTetrahedraOff()
 sheet.GenerateSimplicesOn()
 
 stage = Stage(columns=1)
-times = {0.0: "time step 0", 0.25: "between, at 0.25", 0.5: "time step 0.5"}
+marker = vtkCubeSource()  # at a crest of the first step
+marker.SetBounds(0.09, 0.11, -0.43, -0.41, -0.65, 0.65)
+times = {0.0: "first step", 0.25: "midway", 0.5: "second step"}
 for time, caption in times.items():
     cut = vtkSimplexTimeSlice()
     cut.SetInputConnection(sheet.GetOutputPort(2))
     cut.SetTime(time)
     panel = stage.add_panel(caption)
-    panel.frame(-3.4, 3.4, -0.7, 0.7, -0.62, 0.62)
+    panel.frame(-3.4, 3.4, -0.4, 0.4, -0.55, 0.55)
     panel.ambient_occlusion = False
     surface = shade_by_field(make_surface(run(cut)), lambda x: wave.Evaluate(x, time))
-    panel.add(make_actor(surface, COLORS[len(stage.panels)]))
-    if len(stage.panels) > 1:
-        panel.look_as(stage.panels[0])
-    else:
-        panel.look_from((0.08, -1.0, 0.65))
+    actor = make_actor(surface, COLORS[len(stage.panels)])
+    actor.GetProperty().SetAmbient(0.35)
+    panel.add(make_actor(run(marker), INK), actor)
+    panel.look_from((0.08, -1.0, 0.4))
 stage.save()

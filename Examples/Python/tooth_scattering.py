@@ -13,7 +13,7 @@ from stage import Stage
 tooth = smooth(read("tooth.vti"), (1.2, 1.2, 2.5))  # hides the rings of the scan
 stage = Stage()
 without, within = map(stage.add_panel, ("light that is reflected", "light that is scattered inside"))
-for panel, key, fill in ((without, 1.4, 1.3), (within, 0.6, 0.2)):
+for panel, key, fill in ((without, 1.4, 1.3), (within, 0.43, 0.28)):
     volume = make_sliced_volume(tooth)
     medium, mapper = volume.GetProperty(), volume.GetMapper()
     medium.SetScalarOpacity(make_opacities((115.0, 0.0), (150.0, 0.35), (255.0, 0.45)))

@@ -11,8 +11,8 @@ from stage import DARK, Stage
 
 wave = vtkAnalyticFieldSource()
 wave.SetFieldToWave()
-wave.SetDimensions(90, 20, 8)
-wave.SetBounds(-1.25, 1.25, -1.0, 1.0, -1.0, 1.0)
+wave.SetDimensions(100, 20, 8)
+wave.SetBounds(-1.4, 1.4, -1.0, 1.0, -1.0, 1.0)
 wave.SetTimeRange(0.0, 1.0)
 wave.SetNumberOfTimeSteps(5)
 sheet = vtkTimeVaryingIntervalVolume()
@@ -26,8 +26,7 @@ for i in range(colors.GetSize()):
     colors.GetNodeValue(i, node)
     node[2] *= 0.5
     colors.SetNodeValue(i, node)
-extinction = make_opacities((0.0, 1.1))
-volume = make_volume(run(sheet), "Time", colors, extinction)
+volume = make_volume(run(sheet), "Time", colors, make_opacities((0.0, 1.1)))
 volume.GetMapper().SetBlendModeToAdditive()
 
 stage = Stage()
@@ -35,6 +34,7 @@ panel = stage.add_panel()
 panel.set_background(*DARK)
 panel.add(volume)
 panel.camera.ParallelProjectionOn()
+panel.frame(-1.05, 1.05, -0.1, 0.1, -0.5, 0.5)
 panel.look_from((0.25, -1.0, 0.05))
 stage.set_color_bar("time", colors, 0.0, 1.0)
 stage.save()

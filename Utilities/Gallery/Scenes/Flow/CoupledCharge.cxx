@@ -2,6 +2,7 @@
 // Stream volume from a source to a sink, with five nested stream surfaces.
 
 #include "Gallery/Look.h"
+#include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/FlowTextures.h"
@@ -9,8 +10,11 @@
 #include "Gallery/Volumes.h"
 
 #include "vtkFlowVolume.h"
+#include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTerminationSphere.h"
 
 #include <algorithm>
@@ -18,39 +22,39 @@
 
 namespace
 {
-constexpr double HALF_SEPARATION = 0.5;
-constexpr double RADIUS = 0.12;
+constexpr double RADIUS = 0.1;
 constexpr double SPHERE_RADIUS = 0.15;
 
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> charges = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::COUPLED_CHARGE, { { 49, 49, 49 }, { -1.6, 1.6, -1.6, 1.6, -1.6, 1.6 } });
+    vtkAnalyticFlowSource::COUPLED_CHARGE, { { 81, 81, 81 }, { -1.6, 1.6, -1.6, 1.6, -1.6, 1.6 } });
+  charges->SetSeparation(0.0, 0.0, 1.0);
   vtkNew<vtkTerminationSphere> source;
-  source->SetCenter(-HALF_SEPARATION, 0.0, 0.0);
+  source->SetCenter(0.0, 0.0, -0.5);
   source->SetRadius(RADIUS);
-  source->SetAxis(1.0, 0.0, 0.0);
-  // Samples only the half y > 0, so that the nested surfaces appear cut open.
-  const gallery::FlowGrid samples = { { 45, 31, 49 }, { -0.6, 0.6, 0.0, 0.67, -0.67, 0.67 } };
+  // Samples only half of each ring, so that the nested surfaces appear cut open.
+  const vtkSmartPointer<vtkStructuredGrid> samples =
+    gallery::MakeArcs({ { 33, 49, 65 } }, { { -0.28, 0.22 } });
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
 
   vtkNew<vtkFlowVolume> filter;
-  filter->SetInterval(0, 0.0, 0.42);
-  std::vector<double> values = { 0.06, 0.13, 0.22, 0.32 };
+  filter->SetInterval(0, 0.0, 0.38);
+  std::vector<double> values = { 0.07, 0.13, 0.2, 0.28 };
   for (int i = 0; i < 4; ++i)
   {
     filter->SetStreamSurface(i, values[static_cast<std::size_t>(i)]);
   }
   filter->GenerateStreamSurfacesOn();
-  filter->GenerateNormalsOn();
-  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
+    stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
 
   // Each surface has the color of the volume at its inflow value.
   const vtkSmartPointer<vtkColorTransferFunction> map =
-    gallery::MakeColorMap(gallery::Map::Viridis, 0.58, 0.0);
+    gallery::MakeColorMap(gallery::Map::Viridis, 0.56, 0.0);
   values.push_back(0.0);
-  values.push_back(0.42);
+  values.push_back(0.38);
   std::sort(values.begin(), values.end());
   std::vector<vtkColor3d> colors;
   for (const double value : values)
@@ -61,25 +65,26 @@ void Build(gallery::Stage& stage)
   }
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
-  gallery::SetStreamlineCoordinates(surfaces, 0, 12, 6);
+  gallery::SetGradientNormals(surfaces->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
+  gallery::SetStreamlineCoordinates(surfaces, 0, 16, 6);
 
-  gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
+  gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.3, 0.25 }, { 0.0, 1.0, 0.0 });
+  gallery::LightFromAllSides(panel);
   vtkNew<vtkPiecewiseFunction> extinction;
-  extinction->AddPoint(0.0, 0.5);
+  extinction->AddPoint(0.0, 0.8);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(tetrahedra, "Inflow", map, extinction);
   gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.95));
   panel.Add(volume);
-  panel.Add(
-    gallery::MakeSphere({ -HALF_SEPARATION, 0.0, 0.0 }, SPHERE_RADIUS, gallery::IntervalColor(3)));
-  panel.Add(
-    gallery::MakeSphere({ HALF_SEPARATION, 0.0, 0.0 }, SPHERE_RADIUS, gallery::IntervalColor(0)));
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, -0.5 }, SPHERE_RADIUS, gallery::IntervalColor(3)));
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.5 }, SPHERE_RADIUS, gallery::IntervalColor(0)));
 }
 
 const gallery::SceneRegistration registration(
   { "coupled-charge", "4.9", "Flow from a source to a sink, with five stream surfaces",
-    "The field of two charges of opposite sign, cut in half. The red sphere around the source is "
-    "the termination surface; the blue sphere surrounds the sink. Five nested stream surfaces "
-    "start at different latitudes of the red sphere. The lines on them are streamlines at equal "
-    "steps of longitude. The volume between them is colored by latitude.",
+    "The field of two charges of opposite sign, cut in half. The red sphere around the source "
+    "encloses the termination surface, a smaller sphere; the blue sphere surrounds the sink. Five "
+    "nested stream surfaces start at different latitudes of the termination surface. The lines on "
+    "them are streamlines at equal steps of longitude. The colors of the surfaces and of the thin "
+    "volume between them show the latitude.",
     {}, &Build });
 }

@@ -15,6 +15,7 @@
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkNonMergingPointLocator.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkProbeFilter.h"
@@ -49,7 +50,7 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   const vtkSmartPointer<vtkTerminationPlane> lid =
     gallery::MakeInflowPlane({ 0.0, 0.0, TOP }, { RADIUS, 0.0, 0.0 }, { 0.0, RADIUS, 0.0 });
   const vtkSmartPointer<vtkStructuredGrid> samples = gallery::MakeRings(nullptr,
-    { { 25, 73, 73 }, { -3.5, TOP }, { 0.25, 1.25 },
+    { { 25, 73, 73 }, { -2.5, TOP }, { 0.25, 1.25 },
       [](double outward, double) { return 0.3 + 5.4 * outward; } });
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputData(gallery::MakeImplicitFlow(field, { lid }, samples, 1.1 * TIME));
@@ -67,15 +68,12 @@ vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
   // surfaces.
   constexpr int lines = 16;
   flow.Length = 2.0 * vtkMath::Pi() * INNERMOST * RADIUS;
-  // The seam of the texture is at the silhouette of the innermost surface. On the other surfaces,
-  // it is in the half that is cut away.
-  const bool isInnermost = inflow == INNERMOST;
-  flow.StartPoints = {
-    { { isInnermost ? RADIUS : 0.0, isInnermost ? 0.5 * RADIUS : -RADIUS, TOP } }
-  };
   vtkNew<vtkClipPolyData> cut;
   cut->SetInputData(gallery::MakeTexturedSurface(flow, inflow, 0.05, TIME, 1.0));
   cut->SetClipFunction(kept);
+  // Keeps the points where the texture coordinates start anew.
+  vtkNew<vtkNonMergingPointLocator> separate;
+  cut->SetLocator(separate);
   cut->Update();
   vtkPolyData* surface = cut->GetOutput();
   vtkNew<vtkProbeFilter> probe;
@@ -85,8 +83,8 @@ vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
   surface->GetPointData()->AddArray(probe->GetOutput()->GetPointData()->GetArray("Temp"));
   vtkSmartPointer<vtkActor> actor = gallery::MakeColoredActor(surface, "Temp", colors);
   // Makes the inside of folds bright enough.
-  actor->GetProperty()->SetAmbient(0.5);
-  actor->GetProperty()->SetDiffuse(0.55);
+  actor->GetProperty()->SetAmbient(0.8);
+  actor->GetProperty()->SetDiffuse(0.3);
   // The streamline texture multiplies vertex colors, but not colors that the mapper looks up in a
   // texture.
   actor->GetMapper()->InterpolateScalarsBeforeMappingOff();
@@ -113,7 +111,12 @@ void Build(gallery::Stage& stage)
   back->SetNormal(0.0, 1.0, 0.0);
   panel.Add(MakeSurface(flow, INNERMOST, above, disk, colors));
   panel.Add(MakeSurface(flow, 0.5, back, disk, colors));
-  panel.Add(MakeSurface(flow, 0.75, back, disk, colors));
+  // The outermost surface ends behind the other one, which it nearly touches farther on.
+  const vtkSmartPointer<vtkActor> outermost = MakeSurface(flow, 0.75, back, disk, colors);
+  vtkNew<vtkPlane> end;
+  end->SetOrigin(0.0, 0.0, -1.5);
+  outermost->GetMapper()->AddClippingPlane(end);
+  panel.Add(outermost);
   vtkColor3d hot;
   colors->GetColor(HOT, hot.GetData());
   const vtkSmartPointer<vtkActor> plate = gallery::MakePillar(DISK_RADIUS, -1.0, -0.05, hot);

@@ -20,6 +20,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
+#include "vtkProperty.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
@@ -42,14 +43,14 @@ constexpr double WIDTH = 1.9;
 /// and near the plate.
 vtkSmartPointer<vtkStructuredGrid> MakeSamples()
 {
-  constexpr int outward = 37;
-  constexpr int around = 113;
-  constexpr int upward = 33;
+  constexpr int outward = 49;
+  constexpr int around = 145;
+  constexpr int upward = 37;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (int k = 0; k < upward; ++k)
   {
-    const double height = HEIGHT * std::pow((k + 0.3) / (upward - 0.7), 1.5);
+    const double height = HEIGHT * std::pow((k + 1.5) / (upward + 0.5), 1.5);
     for (int j = 0; j < around; ++j)
     {
       const double angle = 2.0 * vtkMath::Pi() * (j % (around - 1)) / (around - 1);
@@ -88,13 +89,14 @@ vtkSmartPointer<vtkTerminationPlane> MakeInflow(double width)
     { BEGIN, 0.0, 0.5 * HEIGHT }, { 0.0, width, 0.0 }, { 0.0, 0.0, 0.5 * HEIGHT });
 }
 
-/// Adds the post and a plate, which extends past the displayed region by \a margin.
-void AddPost(gallery::Panel& panel, double margin)
+/// Adds the post and a plate, which ends at x = \a end and extends past the other sides of the
+/// displayed region by \a margin.
+void AddPost(gallery::Panel& panel, double margin, double end)
 {
   panel.Add(gallery::MakePillar(RADIUS, 0.0, 1.1 * HEIGHT, gallery::OutlineColor()));
   vtkNew<vtkPlaneSource> plate;
   plate->SetOrigin(BEGIN - margin, -WIDTH - margin, 0.0);
-  plate->SetPoint1(END + margin, -WIDTH - margin, 0.0);
+  plate->SetPoint1(end, -WIDTH - margin, 0.0);
   plate->SetPoint2(BEGIN - margin, WIDTH + margin, 0.0);
   plate->Update();
   panel.Add(gallery::MakeActor(plate->GetOutput(), gallery::OutlineColor()));
@@ -118,14 +120,15 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
   gallery::Panel& panel = stage.AddPanel("", { -0.55, -1.0, 0.6 });
+  panel.SetAmbientOcclusion(0.02);
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.25 } }));
   for (int id = 0; id < 3; ++id)
   {
     panel.Add(
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
-        gallery::MakeGridTexture(32, 16, gallery::IntervalColor(1 + id), gallery::TextColor())));
+        gallery::MakeGridTexture(23, 12, gallery::IntervalColor(1 + id), gallery::TextColor())));
   }
-  AddPost(panel, 0.3);
+  AddPost(panel, 0.3, END + 0.3);
 }
 
 /// Returns the color and opacity of a pattern of disks. Each row of disks has one color.
@@ -158,22 +161,28 @@ void BuildInflow(gallery::Stage& stage)
   constexpr double duration = 4.2;
   constexpr int pulses = 2;
   constexpr double stillFraction = 0.7;
+  // x of the end of the displayed region.
+  constexpr double end = 2.4;
   const vtkSmartPointer<vtkTerminationPlane> plane = MakeInflow(WIDTH);
   const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
-    ReadFlow(), { plane }, { { 89, 61, 49 }, { BEGIN, END, -WIDTH, WIDTH, 0.0, HEIGHT } }, 15.0);
+    ReadFlow(), { plane }, { { 89, 61, 49 }, { BEGIN, end, -WIDTH, WIDTH, 0.0, HEIGHT } }, 15.0);
   const vtkSmartPointer<vtkImageData> discs = gallery::MakePaint(480, 384, &Disks);
   vtkSmartPointer<vtkImplicitFlowVolumeMapper> mappers[2];
   for (int i = 0; i < 2; ++i)
   {
     gallery::Panel& panel =
-      stage.AddPanel(i == 0 ? "time grows" : "dye in pulses", { -0.8, -1.0, 1.1 });
-    const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, discs, 0.15);
+      stage.AddPanel(i == 0 ? "time grows" : "dye in pulses", { -0.8, -1.0, 0.85 });
+    const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, discs, 0.25);
     mappers[i] = gallery::GetInflowMapper(volume);
     panel.Add(volume);
-    panel.Add(gallery::MakeTerminationActor(
-      plane, gallery::MakeInflowTexture(discs, { 0.97, 0.97, 0.97 })));
-    AddPost(panel, 0.0);
-    panel.Frame(vtkBoundingBox(-2.4, 3.1, -1.9, 1.9, 0.0, 2.7));
+    const vtkSmartPointer<vtkActor> board =
+      gallery::MakeTerminationActor(plane, gallery::MakeInflowTexture(discs, { 0.97, 0.97, 0.97 }));
+    // The board faces away from the light.
+    board->GetProperty()->SetAmbient(0.55);
+    panel.Add(board);
+    AddPost(panel, 0.0, end);
+    panel.SetAmbientOcclusion(0.0);
+    panel.Frame(vtkBoundingBox(BEGIN, end, -1.9, 1.9, 0.0, 2.7));
   }
   mappers[0]->SetTimeGate(MakeGate({ { { -0.01, 0.0 } }, { { 0.01, 1.0 } } }));
   mappers[0]->TimeGateRepeatOff();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Flow/FlowScene.h"
 
+#include "Gallery/Panel.h"
 #include "Gallery/Props.h"
 #include "Gallery/Volumes.h"
 
@@ -15,6 +16,7 @@
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
 #include "vtkIntervalVolume.h"
+#include "vtkLight.h"
 #include "vtkLineSource.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -28,6 +30,7 @@
 #include "vtkTubeFilter.h"
 
 #include <cmath>
+#include <utility>
 
 namespace gallery
 {
@@ -97,6 +100,19 @@ vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* vortex, cons
   rings->SetDimensions(n[0], n[1], n[2]);
   rings->SetPoints(points);
   return rings;
+}
+
+vtkSmartPointer<vtkStructuredGrid> MakeArcs(
+  const std::array<int, 3>& dimensions, const std::array<double, 2>& turns)
+{
+  const auto getRadius = [](double outward, double z)
+  {
+    constexpr double end = 0.55;
+    const double height = 0.003 + 0.577 * std::pow(outward, 1.5);
+    const double radius = 0.5 * (end * end / height + height);
+    return std::sqrt(radius * radius - z * z) - (radius - height);
+  };
+  return MakeRings(nullptr, { dimensions, { { -0.5, 0.5 } }, turns, getRadius });
 }
 
 vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane()
@@ -222,6 +238,23 @@ vtkSmartPointer<vtkActor> MakePillar(
   tube->CappingOn();
   tube->Update();
   return MakeActor(MakeSurface(tube->GetOutput()), color);
+}
+
+void LightFromAllSides(Panel& panel)
+{
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  for (const auto& [position, intensity] :
+    { std::pair(vtkVector3d(-0.7, 0.9, 1.0), 0.6), std::pair(vtkVector3d(1.2, 0.2, 0.9), 0.35),
+      std::pair(vtkVector3d(0.0, -1.0, 0.7), 0.5), std::pair(vtkVector3d(0.0, 0.0, 1.0), 0.5) })
+  {
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(position.GetData());
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetIntensity(intensity);
+    lights.push_back(light);
+  }
+  panel.SetLights(lights);
 }
 
 void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number)

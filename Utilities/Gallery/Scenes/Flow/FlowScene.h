@@ -28,6 +28,8 @@ class vtkVolume;
  */
 namespace gallery
 {
+class Panel;
+
 /**
  * A regular grid: number of points along each axis, and bounds.
  */
@@ -69,6 +71,13 @@ std::array<double, 3> GetVortexAxisPoint(vtkAnalyticFlowSource* vortex, double z
  * samples is smooth.
  */
 vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* vortex, const RingGrid& grid);
+
+/**
+ * Returns rings around the z axis whose radii follow arcs from z = -0.5 to 0.5, like the flow
+ * between two charges. \a dimensions and \a turns are as in RingGrid.
+ */
+vtkSmartPointer<vtkStructuredGrid> MakeArcs(
+  const std::array<int, 3>& dimensions, const std::array<double, 2>& turns);
 
 /**
  * Returns a hurricane whose axis is z. The grid covers its full height.
@@ -143,6 +152,12 @@ vtkSmartPointer<vtkActor> MakeSphere(
  */
 vtkSmartPointer<vtkActor> MakePillar(
   double radius, double bottom, double top, const vtkColor3d& color);
+
+/**
+ * Replaces the lights of \a panel with lights from the camera and from all sides, so that the
+ * undersides of surfaces are not dark. The lights move with the camera.
+ */
+void LightFromAllSides(Panel& panel);
 
 /**
  * Sets the texture coordinates that MakeStreamlineTexture() requires. The first is the parameter u

@@ -16,7 +16,7 @@ namespace
 /// Distance between the lines of a streamline texture, and edge length of a grid texture, in
 /// texels.
 constexpr int LINE_PERIOD = 256;
-constexpr int SIZE = 1024;
+constexpr int SIZE = 2048;
 
 /// Width of a line as a fraction of the distance between lines.
 constexpr double LINE_WIDTH = 0.12;

@@ -30,14 +30,14 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkFlowVolume> filter;
   filter->SetInterval(0, 0.16, 0.42);
   filter->GenerateStreamSurfacesOn();
-  filter->GenerateNormalsOn();
-  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
+    stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
 
   gallery::Panel& panel = stage.AddPanel("", { 0.45, -1.0, 0.4 });
   panel.SetAmbientOcclusion(0.0);
   vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.7 } });
-  gallery::SetBoundary(volume, gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 0),
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.5 } });
+  gallery::SetBoundary(volume, gallery::GetSmoothFlowSurface(filter, gallery::STREAM_SURFACES, 0),
     gallery::IntervalColor(2), 1.0);
   panel.Add(volume);
   vtkNew<vtkCubeSource> floor;

@@ -9,15 +9,18 @@
 #include "Gallery/Stage.h"
 #include "Support/Inputs/DataFiles.h"
 
+#include "vtkFlowStatus.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
+#include "vtkProperty.h"
 #include "vtkTerminationTube.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 #include "vtkTriangleFilter.h"
+#include "vtkVolumeProperty.h"
 #include "vtkVortexAxis.h"
 
 #include <algorithm>
@@ -44,7 +47,7 @@ constexpr double NORTH = 48.7;
 
 /// Returns the color and opacity of eight spokes in four colors, which fade to less opaque white
 /// between them.
-gallery::Paint Spokes(double u, double v)
+gallery::Paint Spokes(double u, double)
 {
   const double spoke = 8.0 * u - std::floor(8.0 * u) - 0.5;
   const double strength = std::pow(std::cos(vtkMath::Pi() * spoke), 2.0);
@@ -112,7 +115,7 @@ void Build(gallery::Stage& stage)
   hurricane->SetAxisBend(0.06, -0.04);
   const vtkSmartPointer<vtkTerminationTube> eye = FindEye(hurricane);
   // Only air in the upper half comes from the tube.
-  const gallery::FlowGrid samples = { { 81, 81, 37 }, { -1.1, 1.1, -1.1, 1.1, -0.08, 0.48 } };
+  const gallery::FlowGrid samples = { { 121, 121, 57 }, { -1.1, 1.1, -1.1, 1.1, -0.2, 0.49 } };
   const vtkSmartPointer<vtkDataSet> flow =
     gallery::MakeImplicitFlow(hurricane, { eye }, samples, 1.1 * TIME);
   const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &UpperSpokes);
@@ -121,8 +124,8 @@ void Build(gallery::Stage& stage)
   // since cells that straddle the tube are inaccurate.
   vtkNew<vtkPiecewiseFunction> front;
   front->AddPoint(0.0, 0.0);
-  front->AddPoint(0.35, 1.0);
-  front->AddPoint(0.97, 1.0);
+  front->AddPoint(0.7, 1.0);
+  front->AddPoint(0.95, 1.0);
   front->AddPoint(1.0, 0.0);
 
   gallery::Panel& panel = stage.AddPanel("", { 0.05, -0.7, 1.0 });
@@ -133,11 +136,20 @@ void Build(gallery::Stage& stage)
   mapper->TimeGateRepeatOff();
   mapper->SetTimePeriod(TIME);
   mapper->SetTimePhase(1.0);
+  // Hides the dye inside the tube in cells that the tube crosses.
+  mapper->SetOpacityArray(vtkFlowStatus::SideArray());
+  vtkNew<vtkPiecewiseFunction> outside;
+  outside->AddPoint(-0.5, 0.0);
+  outside->AddPoint(0.0, 1.0);
+  volume->GetProperty()->SetScalarOpacity(outside);
   panel.Add(volume);
-  panel.Add(gallery::MakeTerminationActor(
-    eye, gallery::MakeInflowTexture(gallery::MakePaint(512, 2, &Spokes), { 0.97, 0.97, 0.97 })));
+  const vtkSmartPointer<vtkActor> tube = gallery::MakeTerminationActor(
+    eye, gallery::MakeInflowTexture(gallery::MakePaint(512, 2, &Spokes), { 0.97, 0.97, 0.97 }));
+  tube->GetProperty()->SetAmbient(0.6);
+  tube->GetProperty()->SetDiffuse(0.5);
+  panel.Add(tube);
   AddMap(panel);
-  panel.Frame(vtkBoundingBox(-0.95, 0.95, -0.75, 0.95, -0.1, 0.3));
+  panel.Frame(vtkBoundingBox(-0.8, 0.8, -0.7, 0.8, -0.1, 0.3));
 }
 
 const gallery::SceneRegistration registration(

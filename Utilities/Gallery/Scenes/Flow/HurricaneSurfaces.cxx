@@ -2,6 +2,7 @@
 // Four stream surfaces of a hurricane.
 
 #include "Gallery/Look.h"
+#include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/FlowTextures.h"
@@ -9,8 +10,10 @@
 #include "Gallery/Volumes.h"
 
 #include "vtkFlowVolume.h"
+#include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationCylinder.h"
 
@@ -27,7 +30,7 @@ void Build(gallery::Stage& stage)
   rim->SetPoint2(0.0, 0.0, 0.5);
   rim->SetRadius(1.25);
   const vtkSmartPointer<vtkStructuredGrid> samples = gallery::MakeRings(hurricane,
-    { { 33, 65, 53 }, { -0.49, 0.49 }, { 0.0, 0.5 },
+    { { 33, 73, 97 }, { -0.49, 0.49 }, { 0.0, 0.5 },
       [](double outward, double) { return 0.06 + 0.84 * outward; } });
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(hurricane, { rim }, samples, 12.0), "v");
@@ -37,10 +40,11 @@ void Build(gallery::Stage& stage)
   filter->SetStreamSurface(0, 0.17);
   filter->SetStreamSurface(1, 0.23);
   filter->GenerateStreamSurfacesOn();
-  filter->GenerateNormalsOn();
-  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
+    stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
+  gallery::SetGradientNormals(surfaces->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
   gallery::SetStreamlineCoordinates(surfaces, 0, 24, 4);
   std::vector<vtkColor3d> colors;
   for (int i = 0; i < 4; ++i)
@@ -50,7 +54,7 @@ void Build(gallery::Stage& stage)
 
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   vtkNew<vtkPiecewiseFunction> extinction;
-  extinction->AddPoint(0.0, 2.5);
+  extinction->AddPoint(0.0, 1.5);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
     tetrahedra, "Inflow", gallery::MakeColorMap(gallery::Map::Viridis, 0.0, 0.5), extinction);
   gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.85));

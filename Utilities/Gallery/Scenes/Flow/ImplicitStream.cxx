@@ -62,6 +62,7 @@ void Build(gallery::Stage& stage)
 
   vtkNew<vtkFlowVolume> filter;
   filter->SetInterval(0, INNER, OUTER);
+  filter->SetStreamSurface(0, 0.5);
   filter->GenerateStreamSurfacesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
@@ -72,7 +73,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& surface = stage.AddPanel("the stream surface", from);
   gallery::Panel& volume = stage.AddPanel("the stream volume", from);
   surface.Add(gallery::MakeFlowActor(
-    gallery::GetSmoothFlowSurface(filter, gallery::STREAM_SURFACES, 0), gallery::IntervalColor(0)));
+    gallery::GetSmoothFlowSurface(filter, gallery::STREAM_SURFACES, 1), gallery::IntervalColor(0)));
   volume.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 5.0 } }));
   for (gallery::Panel* panel : { &surface, &volume })
   {

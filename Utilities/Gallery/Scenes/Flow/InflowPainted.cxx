@@ -8,25 +8,29 @@
 #include "Gallery/Stage.h"
 #include "Support/Inputs/DataFiles.h"
 
+#include "vtkImageGaussianSmooth.h"
+#include "vtkImageResize.h"
 #include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkTerminationSphere.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
 /// Returns the flow of air that rises from a square, rotates and converges.
-vtkSmartPointer<vtkDataSet> MakeUpdraft(
-  vtkTerminationPlane* plane, const gallery::FlowGrid& samples)
+vtkSmartPointer<vtkDataSet> MakeUpdraft(vtkTerminationSurface* inflow,
+  const gallery::FlowGrid& samples, double time = std::numeric_limits<double>::max())
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> updraft = gallery::MakeAnalyticFlow(
     vtkAnalyticFlowSource::NODE, { { 9, 9, 9 }, { -1.1, 1.1, -1.1, 1.1, 0.3, 2.2 } });
   updraft->SetNodeRates(-0.15, -0.15, 0.3);
   updraft->SetSwirl(0.32);
-  return gallery::MakeImplicitFlow(updraft, { plane }, samples);
+  return gallery::MakeImplicitFlow(updraft, { inflow }, samples, time);
 }
 
 /// Returns a rectangle at the bottom of the updraft. \a width and \a depth are half its edge
@@ -68,100 +72,137 @@ void BuildPainted(gallery::Stage& stage)
   panel.Frame(vtkBoundingBox(-0.86, 0.86, -0.46, 0.46, 0.4, 1.15));
 }
 
-/// Returns the colors of a map of the Earth, with higher opacity for land than for water.
-vtkSmartPointer<vtkImageData> MakeMapPaint(vtkImageData* earth)
+/// Returns component \a c of the pixel at (u, v).
+double GetPixel(vtkImageData* image, double u, double v, int c)
 {
   int size[3];
-  earth->GetDimensions(size);
-  return gallery::MakePaint(size[0], size[1],
-    [earth, &size](double u, double v)
+  image->GetDimensions(size);
+  return image->GetScalarComponentAsDouble(
+    static_cast<int>(u * (size[0] - 1) + 0.5), static_cast<int>(v * (size[1] - 1) + 0.5), 0, c);
+}
+
+/// Returns the colors of a map of the Earth, smoothed, with higher opacity for land than for water.
+vtkSmartPointer<vtkImageData> MakeMap(vtkImageData* earth)
+{
+  constexpr int enlargement = 2;
+  const int* size = earth->GetDimensions();
+  vtkNew<vtkImageResize> large;
+  large->SetInputData(earth);
+  large->SetOutputDimensions(enlargement * size[0], enlargement * size[1], 1);
+  vtkNew<vtkImageGaussianSmooth> smooth;
+  smooth->SetInputConnection(large->GetOutputPort());
+  smooth->SetDimensionality(2);
+  smooth->SetStandardDeviation(0.8 * enlargement);
+  smooth->Update();
+  vtkImageData* colors = smooth->GetOutput();
+  return gallery::MakePaint(colors->GetDimensions()[0], colors->GetDimensions()[1],
+    [colors](double u, double v)
     {
-      const int x = static_cast<int>(u * (size[0] - 1) + 0.5);
-      const int y = static_cast<int>(v * (size[1] - 1) + 0.5);
-      double color[3];
+      gallery::Paint paint;
       for (int c = 0; c < 3; ++c)
       {
-        color[c] = earth->GetScalarComponentAsDouble(x, y, 0, c) / 255.0;
+        paint.Color[c] = GetPixel(colors, u, v, c) / 255.0;
       }
-      return gallery::Paint{ vtkColor3d(color), color[0] > 0.9 * color[2] ? 0.7 : 0.25 };
+      const double land = 3.0 * (paint.Color[0] / paint.Color[2] - 0.6);
+      paint.Opacity = 0.1 + 0.6 * vtkMath::ClampValue(land, 0.0, 1.0);
+      return paint;
     });
 }
 
-/// Shows a globe whose colors the wind carries away.
+/// Returns a map whose opacity decreases toward the edge of the wake, where the \a globe is
+/// parallel to the wind.
+vtkSmartPointer<vtkImageData> FadeEdge(vtkImageData* map, vtkTerminationSphere* globe)
+{
+  return gallery::MakePaint(map->GetDimensions()[0], map->GetDimensions()[1],
+    [map, globe](double u, double v)
+    {
+      const double uv[2] = { u, v };
+      double point[3];
+      globe->EvaluatePoint(0, uv, point);
+      const double lee = (point[2] - globe->GetCenter()[2]) / globe->GetRadius();
+      return gallery::Paint{ { GetPixel(map, u, v, 0), GetPixel(map, u, v, 1),
+                               GetPixel(map, u, v, 2) },
+        GetPixel(map, u, v, 3) * vtkMath::ClampValue(1.6 * lee - 0.2, 0.0, 1.0) };
+    });
+}
+
+/// Shows a globe whose colors the wind carries away, along z.
 void BuildImage(gallery::Stage& stage)
 {
-  constexpr double time = 1.6;
-  constexpr double radius = 0.5;
+  constexpr double time = 2.0;
+  constexpr double radius = 0.36;
   const vtkSmartPointer<vtkImageData> earth =
     vtkImageData::SafeDownCast(interlume::ReadData("earth.vti"));
-  const vtkSmartPointer<vtkAnalyticFlowSource> wind = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::UNIFORM, { { 9, 9, 9 }, { -0.7, 2.3, -0.7, 0.7, -0.7, 0.7 } });
-  wind->SetVelocity(1.0, 0.0, 0.0);
   vtkNew<vtkTerminationSphere> globe;
+  globe->SetCenter(0.0, 0.0, 0.8);
   globe->SetRadius(radius);
-  globe->SetAxis(-0.2, -0.3, 0.93);
-  const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
-    wind, { globe }, { { 57, 73, 73 }, { -0.1, 2.2, -0.54, 0.54, -0.54, 0.54 } }, 1.1 * time);
+  globe->SetAxis(0.93, -0.3, -0.2);
+  const vtkSmartPointer<vtkDataSet> flow =
+    MakeUpdraft(globe, { { 73, 73, 81 }, { -0.4, 0.4, -0.4, 0.4, 0.7, 2.1 } }, 1.1 * time);
   vtkNew<vtkPiecewiseFunction> fading;
   fading->AddPoint(0.0, 0.0);
   fading->AddPoint(0.5, 0.6);
   fading->AddPoint(1.0, 1.0);
 
-  gallery::Panel& panel = stage.AddPanel("", { 0.1, -1.0, 0.2 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.2, 1.0, 0.1 }, { 1.0, 0.0, 0.0 });
   panel.SetBackground(gallery::DarkBackground());
+  const vtkSmartPointer<vtkImageData> map = MakeMap(earth);
   const vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeInflowVolume(flow, MakeMapPaint(earth), 0.05);
+    gallery::MakeInflowVolume(flow, FadeEdge(map, globe), 0.05);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
   mapper->SetTimeGate(fading);
   mapper->TimeGateRepeatOff();
   mapper->SetTimePeriod(time);
   mapper->SetTimePhase(1.0);
   panel.Add(volume);
-  vtkNew<vtkTexture> map;
-  map->SetInputData(earth);
-  map->InterpolateOn();
-  panel.Add(gallery::MakeTerminationActor(globe, map));
-  panel.Frame(vtkBoundingBox(-0.52, 1.95, -0.1, 0.1, -0.55, 0.55));
+  panel.Add(
+    gallery::MakeTerminationActor(globe, gallery::MakeInflowTexture(map, { 0.04, 0.12, 0.25 })));
+  panel.Frame(vtkBoundingBox(-0.38, 0.38, -0.1, 0.1, 0.43, 1.8));
 }
 
 /// Adds panels of colored blobs, of small dots released in pulses, and of both combined.
 void BuildDual(gallery::Stage& stage)
 {
-  const vtkSmartPointer<vtkImageData> broad = gallery::MakePaint(256, 256,
-    [](double u, double v)
+  const auto blobs = [](double u, double v)
+  {
+    const double a = std::hypot(u - 0.36, v - 0.4) / 0.2;
+    const double b = std::hypot(u - 0.65, v - 0.62) / 0.18;
+    const double one = std::exp(-a * a);
+    const double two = std::exp(-b * b);
+    const double fraction = one / (one + two + 1e-9);
+    gallery::Paint paint;
+    for (int c = 0; c < 3; ++c)
     {
-      const double a = std::hypot(u - 0.36, v - 0.4) / 0.2;
-      const double b = std::hypot(u - 0.65, v - 0.62) / 0.18;
-      const double one = std::exp(-a * a);
-      const double two = std::exp(-b * b);
-      const double fraction = one / (one + two + 1e-9);
-      gallery::Paint paint;
-      for (int c = 0; c < 3; ++c)
-      {
-        paint.Color[c] =
-          fraction * gallery::IntervalColor(0)[c] + (1.0 - fraction) * gallery::IntervalColor(1)[c];
-      }
-      paint.Opacity = 0.25 * std::max(one, two);
-      return paint;
-    });
-  const vtkSmartPointer<vtkImageData> dots = gallery::MakePaint(512, 512,
-    [](double u, double v)
-    {
-      const double x = 7.0 * u - std::floor(7.0 * u) - 0.5;
-      const double y = 7.0 * v - std::floor(7.0 * v) - 0.5;
-      const double r = std::hypot(u - 0.5, v - 0.5);
-      return gallery::Paint{ gallery::TextColor(),
-        r < 0.45 && std::hypot(x, y) < 0.22 ? 0.5 : 0.0 };
-    });
+      paint.Color[c] =
+        fraction * gallery::IntervalColor(0)[c] + (1.0 - fraction) * gallery::IntervalColor(1)[c];
+    }
+    paint.Opacity = 0.25 * std::max(one, two);
+    return paint;
+  };
+  const auto spots = [](double u, double v)
+  {
+    const double x = 4.0 * u - std::floor(4.0 * u) - 0.5;
+    const double y = 4.0 * v - std::floor(4.0 * v) - 0.5;
+    return gallery::Paint{ gallery::TextColor(), std::hypot(x, y) < 0.25 ? 0.6 : 0.0 };
+  };
+  const auto combined = [blobs, spots](double u, double v)
+  {
+    const gallery::Paint spot = spots(u, v);
+    return spot.Opacity > 0.0 ? spot : blobs(u, v);
+  };
+  const vtkSmartPointer<vtkImageData> broad = gallery::MakePaint(256, 256, blobs);
+  const vtkSmartPointer<vtkImageData> dots = gallery::MakePaint(512, 512, spots);
+  const vtkSmartPointer<vtkImageData> grounds[] = { broad, dots,
+    gallery::MakePaint(512, 512, combined) };
   const vtkSmartPointer<vtkImageData> transparent =
     gallery::MakePaint(2, 2, [](double, double) { return gallery::Paint{}; });
   const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane(0.45, 0.45);
   const vtkSmartPointer<vtkDataSet> flow =
-    MakeUpdraft(plane, { { 49, 49, 67 }, { -0.45, 0.45, -0.45, 0.45, 0.4, 1.6 } });
+    MakeUpdraft(plane, { { 49, 49, 77 }, { -0.45, 0.45, -0.45, 0.45, 0.4, 1.75 } });
   const char* captions[] = { "inflow", "detail", "both" };
   for (int i = 0; i < 3; ++i)
   {
-    gallery::Panel& panel = stage.AddPanel(captions[i], { -0.12, -1.0, 0.75 });
+    gallery::Panel& panel = stage.AddPanel(captions[i], { -0.12, -1.0, 0.6 });
     const vtkSmartPointer<vtkVolume> volume =
       gallery::MakeInflowVolume(flow, i == 1 ? transparent : broad, 0.05);
     if (i > 0)
@@ -169,13 +210,15 @@ void BuildDual(gallery::Stage& stage)
       vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
       mapper->SetDetailTexture(dots);
       mapper->SetDetailModeToOver();
-      mapper->SetTimeGate(MakePulses(0.25, 0.0));
+      mapper->SetTimeGate(MakePulses(0.15, 0.0));
       mapper->SetTimeGateTargetToDetail();
       mapper->SetTimePeriod(0.8);
     }
     panel.Add(volume);
     panel.Add(gallery::MakeTerminationActor(
-      plane, gallery::MakeInflowTexture(i == 1 ? dots : broad, { 0.97, 0.97, 0.97 })));
+      plane, gallery::MakeInflowTexture(grounds[i], { 0.97, 0.97, 0.97 })));
+    panel.SetAmbientOcclusion(0.0);
+    panel.Frame(vtkBoundingBox(-0.41, 0.41, -0.41, 0.41, 0.38, 1.7));
   }
 }
 
@@ -186,13 +229,13 @@ const gallery::SceneRegistration painted(
     "pulses, which show how the flow turns and narrows the word.",
     {}, &BuildPainted });
 const gallery::SceneRegistration image({ "inflow-image", "4.16", "An image as inflow texture",
-  "Wind blows over a globe from the left. The inflow has the colors of an imported map of the "
-  "Earth, and the wake carries them away: streaks of land are dense, those of water thin. The "
-  "dissertation shows the logo of a conference.",
+  "Wind blows over a globe from the left, turns and converges. The inflow has the colors of an "
+  "imported map of the Earth, and the wake carries them away: streaks of land are dense, those of "
+  "water thin. The dissertation shows the logo of a conference.",
   { "earth.vti" }, &BuildImage });
 const gallery::SceneRegistration dual(
   { "inflow-dual", "4.18", "Two inflow textures, the second in pulses",
-    "Air rises from a square. A broad inflow texture, small dots that are released in pulses of "
+    "Air rises from a square. A broad inflow texture, dots that are released in pulses of "
     "the advection time, and both combined.",
     {}, &BuildDual });
 }

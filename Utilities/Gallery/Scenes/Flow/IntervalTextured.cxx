@@ -2,26 +2,34 @@
 // The boundary of an interval volume as a textured stream surface.
 
 #include "Gallery/Look.h"
+#include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
+#include "vtkIntervalVolume.h"
+#include "vtkPointData.h"
+
 namespace
 {
-/// Maximum advection time. It cuts off the upper part of the flow, a straight tube.
-constexpr double END = 5.0;
+/// Range of advection times: from a place inside the rim to the top.
+constexpr double START = 0.9;
+constexpr double END = 6.0;
 
 void Build(gallery::Stage& stage)
 {
-  const gallery::MappedFlow flow = gallery::MakeTornado(12.0);
-  gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.35 });
-  panel.Add(gallery::MakeActorWithLines(gallery::MakeTexturedSurface(flow, 0.06, 0.45, END, 16.0),
-    vtkColor3d(0.95, 0.93, 0.9), gallery::MakeArcLengthTexture(48, gallery::TextColor(), 16),
-    nullptr));
-  panel.Add(
-    gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow.Samples, 0.06, 0.16, 0.45, END),
-      { { gallery::IntervalColor(0), 2.0 } }));
+  gallery::MappedFlow flow = gallery::MakeTornado(6.5, 2);
+  flow.Samples = gallery::AddGradient(flow.Samples, "Inflow");
+  const vtkSmartPointer<vtkPolyData> surface =
+    gallery::MakeTexturedSurface(flow, 0.06, START, END, 16.0);
+  gallery::SetGradientNormals(surface->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
+  gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.55 });
+  panel.Add(gallery::MakeActorWithLines(surface, gallery::IntervalColor(2),
+    gallery::MakeArcLengthTexture(48, gallery::TextColor(), 16), nullptr));
+  panel.Add(gallery::MakeVolumeOfIntervals(
+    gallery::MakeStreamVolume(gallery::MakeTornado(6.5).Samples, 0.06, 0.16, START, END),
+    { { gallery::IntervalColor(0), 1.1 } }));
 }
 
 const gallery::SceneRegistration registration(

@@ -5,7 +5,6 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
-#include "Gallery/Volumes.h"
 
 namespace
 {
@@ -22,10 +21,13 @@ constexpr int LINES = 32;
 
 void Build(gallery::Stage& stage)
 {
-  const gallery::MappedFlow flow = gallery::MakeTornado(7.0);
-  const vtkVector3d from(0.4, -1.0, 0.5);
-  gallery::Panel& one = stage.AddPanel("streamlines and timelines", from);
-  gallery::Panel& nested = stage.AddPanel("two nested surfaces", from);
+  const gallery::MappedFlow flow = gallery::MakeTornado(6.0, 2);
+  gallery::Panel& one = stage.AddPanel("streamlines and timelines");
+  gallery::Panel& nested = stage.AddPanel("two nested surfaces");
+  for (gallery::Panel* panel : { &one, &nested })
+  {
+    panel->LookFrom({ 0.4, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  }
 
   const vtkSmartPointer<vtkPolyData> outer =
     gallery::MakeTexturedSurface(flow, OUTER, START, 3.9, PERIOD);
@@ -41,10 +43,6 @@ void Build(gallery::Stage& stage)
   nested.Add(gallery::MakeActorWithLines(
     gallery::MakeTexturedSurface(flow, INNER, START, 5.5, PERIOD), gallery::IntervalColor(1),
     nullptr, gallery::MakeTimelineTexture(16, gallery::TextColor(), LINES)));
-  // The volume between the surfaces is visible where the outer one is cut away.
-  nested.Add(gallery::MakeVolumeOfIntervals(
-    gallery::MakeStreamVolume(flow.Samples, INNER, OUTER, START, 3.9),
-    { { gallery::IntervalColor(0), 1.2 } }));
 }
 
 const gallery::SceneRegistration registration(
@@ -52,8 +50,7 @@ const gallery::SceneRegistration registration(
     "Stream surfaces of a tornado, each of the air that enters at one height. Left: dark "
     "streamlines, and white timelines, which air reaches at the same time. Right: the same "
     "surface, cut open, with streamlines only, and inside it, with timelines, the surface of air "
-    "that enters closer to the ground. The haze is the air between them. The lines are a texture. "
-    "The arc length along the inflow "
+    "that enters closer to the ground. The lines are a texture. The arc length along the inflow "
     "circle and the advection time are the texture coordinates.",
     {}, &Build });
 }

@@ -87,16 +87,16 @@ void CutSides(vtkActor* actor, const vtkBoundingBox& box)
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkPolyData> surface =
-    gallery::MakeTexturedSurface(gallery::MakeTornado(5.0), 0.13, 0.45, 3.9, 16.0);
+    gallery::MakeTexturedSurface(gallery::MakeTornado(5.0, 2), 0.13, 0.45, 3.9, 16.0);
   // All panels share one texture.
   const vtkSmartPointer<vtkStreamlineTexture> lines =
-    gallery::MakeArcLengthTexture(48, gallery::TextColor());
+    gallery::MakeArcLengthTexture(32, gallery::TextColor(), 512);
   const struct
   {
     const char* Caption;
     double Size;
-  } views[] = { { "from far", 1.0 }, { "three times nearer", 1.0 / 3.0 },
-    { "nine times nearer", 1.0 / 9.0 } };
+  } views[] = { { "whole surface", 1.0 }, { "enlarged 3 times", 1.0 / 3.0 },
+    { "enlarged 9 times", 1.0 / 9.0 } };
   double bounds[6];
   surface->GetBounds(bounds);
   // The closer views are centered on the marked line, on the part that faces the camera.
@@ -108,6 +108,7 @@ void Build(gallery::Stage& stage)
   {
     gallery::Panel& panel = stage.AddPanel(view.Caption);
     panel.LookFrom(FROM, { 0.0, 0.0, 1.0 });
+    panel.UseParallelProjection();
     // Ambient occlusion would add noise to the closer views.
     panel.SetAmbientOcclusion(0.0);
     const vtkSmartPointer<vtkActor> actors[] = { gallery::MakeActorWithLines(surface,
@@ -136,10 +137,10 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration({ "streamline-zoom", "4.8",
   "More streamlines at closer distances",
-  "A stream surface of a tornado from three distances, with the same texture. The yellow line is "
+  "A stream surface of a tornado, whole and enlarged, with the same texture. The yellow line is "
   "the same streamline in all three panels: more and more lines appear next to it. The texture is "
   "a mipmap pyramid whose levels have fewer and fewer lines of constant width in texels. No "
   "level is the average of another. New lines fade in between existing ones, so that their "
-  "distance on screen is about the same at any distance of the camera.",
+  "distance on screen is about the same at any scale.",
   {}, &Build });
 }

@@ -21,6 +21,11 @@ namespace gallery
 {
 MappedFlow MakeTornado(double time)
 {
+  return MakeTornado(time, 1);
+}
+
+MappedFlow MakeTornado(double time, int fineness)
+{
   vtkNew<vtkAnalyticFlowSource> tornado;
   tornado->SetField(vtkAnalyticFlowSource::TORNADO);
   tornado->SetDimensions(49, 49, 49);
@@ -34,10 +39,9 @@ MappedFlow MakeTornado(double time)
   flow->SetInputConnection(tornado->GetOutputPort());
   flow->AddTerminationSurface(cylinder);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
-  flow->SetSampleData(
-    MakeRings(tornado, { { 37, 73, 41 }, { -0.98, 0.98 }, { 0.0, 1.0 }, [](double outward, double) {
-                          return 0.06 * std::pow(17.0, outward);
-                        } }));
+  flow->SetSampleData(MakeRings(tornado,
+    { { 36 * fineness + 1, 72 * fineness + 1, 40 * fineness + 1 }, { -0.98, 0.98 }, { 0.0, 1.0 },
+      [](double outward, double) { return 0.06 * std::pow(17.0, outward); } }));
   flow->SetMaximumTime(time);
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(flow->GetOutputPort());

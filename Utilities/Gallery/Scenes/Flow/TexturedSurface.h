@@ -36,9 +36,11 @@ struct MappedFlow
 
 /**
  * Returns the flow of a tornado, traced back to a cylinder around it for at most \a time. The
- * inflow value is the height on the cylinder. Stream surfaces are funnels.
+ * inflow value is the height on the cylinder. Stream surfaces are funnels. \a fineness multiplies
+ * the number of samples along each axis.
  */
 MappedFlow MakeTornado(double time);
+MappedFlow MakeTornado(double time, int fineness);
 
 /**
  * Returns the stream surface with inflow value \a inflow, between the advection times \a start and

@@ -2,6 +2,7 @@
 // A stream volume that is clipped by advection time and contains stream surfaces and time surfaces.
 
 #include "Gallery/Look.h"
+#include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/FlowTextures.h"
@@ -10,6 +11,7 @@
 
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTerminationSphere.h"
 
 namespace
@@ -29,14 +31,17 @@ gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* i
   filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
   gallery::Panel& panel = stage.AddPanel(caption);
-  panel.LookFrom({ 0.5, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+  panel.LookFrom({ 0.5, -1.0, 0.3 }, { 0.0, 0.0, 1.0 });
   panel.SetAmbientOcclusion(0.0);
-  panel.Add(gallery::MakeSphere({ 0.0, 0.0, -0.5 }, 0.14, gallery::IntervalColor(3)));
-  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { VOLUME, 2.0 } }));
+  gallery::LightFromAllSides(panel);
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, -0.5 }, 0.12, gallery::IntervalColor(3)));
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.5 }, 0.12, gallery::IntervalColor(0)));
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { VOLUME, 1.0 } }));
   for (int id = first; id <= last; ++id)
   {
-    panel.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id),
-      gallery::MakeGridTexture(24, 48, gallery::IntervalColor(2), gallery::TextColor())));
+    panel.Add(
+      gallery::MakeFlowActor(gallery::GetSmoothFlowSurface(filter, gallery::TIME_SURFACES, id),
+        gallery::MakeGridTexture(24, 32, gallery::IntervalColor(2), gallery::TextColor())));
   }
   return panel;
 }
@@ -44,14 +49,16 @@ gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* i
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> charges = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::COUPLED_CHARGE, { { 41, 41, 41 }, { -1.3, 1.3, -1.3, 1.3, -1.3, 1.3 } });
+    vtkAnalyticFlowSource::COUPLED_CHARGE, { { 81, 81, 81 }, { -1.3, 1.3, -1.3, 1.3, -1.3, 1.3 } });
   charges->SetSeparation(0.0, 0.0, 1.0);
   vtkNew<vtkTerminationSphere> source;
   source->SetCenter(0.0, 0.0, -0.5);
-  source->SetRadius(0.12);
-  const gallery::FlowGrid samples = { { 57, 29, 73 }, { -0.6, 0.6, 0.0, 0.6, -0.6, 0.6 } };
-  const vtkSmartPointer<vtkDataSet> inflow =
-    gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
+  source->SetRadius(0.1);
+  const vtkSmartPointer<vtkStructuredGrid> samples =
+    gallery::MakeArcs({ { 29, 41, 57 } }, { { 0.0, 0.5 } });
+  const vtkSmartPointer<vtkDataSet> inflow = gallery::AddGradient(
+    gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v"),
+    "AdvectionTime");
 
   vtkNew<vtkFlowVolume> clipped;
   clipped->SetTimeRange(0.015, 0.06);
@@ -74,9 +81,9 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "time-clip", "4.13", "A stream volume clipped by time, and with surfaces inside",
-    "The field of two charges of opposite sign, cut in half, with the source below and the sink "
-    "above. (a) The stream volume between two advection times, with its stream surface (green, "
-    "with streamlines) and its time surfaces (yellow, with a grid that the flow carries). (b) The "
-    "complete volume with three time surfaces and a stream surface inside.",
+    "The field of two charges of opposite sign, cut in half, with the source (red) below and the "
+    "sink (blue) above. (a) The stream volume between two advection times, with its stream surface "
+    "(green, with streamlines) and its time surfaces (yellow, with a grid that the flow carries). "
+    "(b) The complete volume with three time surfaces and a stream surface inside.",
     {}, &Build });
 }

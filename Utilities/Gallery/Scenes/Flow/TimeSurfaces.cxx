@@ -20,7 +20,7 @@ void Build(gallery::Stage& stage)
     vtkAnalyticFlowSource::ABC, { { 33, 33, 33 }, { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } });
   const vtkSmartPointer<vtkTerminationPlane> plane =
     gallery::MakeInflowPlane({ 0.0, 0.0, -0.9 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
-  const gallery::FlowGrid samples = { { 73, 73, 49 }, { -1.0, 1.0, -1.0, 1.0, -0.9, 1.0 } };
+  const gallery::FlowGrid samples = { { 55, 65, 37 }, { -0.6, 0.5, -0.45, 0.85, -0.9, -0.2 } };
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(abc, { plane }, samples), "sqrt((u - 0.5)^2 + (v - 0.72)^2)");
   vtkNew<vtkFlowVolume> filter;
@@ -31,7 +31,7 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(filter, gallery::AddGradient(inflow, "AdvectionTime"));
 
-  gallery::Panel& panel = stage.AddPanel("", { 1.0, -0.5, 0.35 });
+  gallery::Panel& panel = stage.AddPanel("", { 1.0, 0.45, 0.35 });
   panel.SetAmbientOcclusion(0.0);
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.5 } }));
   for (int id = 0; id < 2; ++id)

@@ -13,6 +13,8 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkImageGaussianSmooth.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -57,6 +59,22 @@ vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
   return MakeSurface(lid);
 }
 
+/// Smooths \a values of a grid, mainly along i, since the shock has steps of one cell there.
+vtkSmartPointer<vtkDataArray> Smooth(vtkDataArray* values, const int dimensions[3])
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(dimensions);
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkImageGaussianSmooth> smooth;
+  smooth->SetInputData(image);
+  smooth->SetStandardDeviations(2.0, 0.5, 0.0);
+  smooth->SetRadiusFactor(3.0);
+  smooth->Update();
+  vtkSmartPointer<vtkDataArray> result = smooth->GetOutput()->GetPointData()->GetScalars();
+  result->SetName(values->GetName());
+  return result;
+}
+
 /// Reads one half of the flow past a blunt fin and adds its mirror image. The surface i = 0 of the
 /// grid is the plane of symmetry, y = 0, upstream of the fin. Both halves share the points of that
 /// surface. Only point arrays with one component are retained.
@@ -74,7 +92,7 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
   points->SetNumberOfPoints(
     static_cast<vtkIdType>(fullDimensions[0]) * fullDimensions[1] * fullDimensions[2]);
   full->SetPoints(points);
-  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> arrays;
+  std::vector<std::pair<vtkDataArray*, vtkSmartPointer<vtkDataArray>>> arrays;
   for (int array = 0; array < half->GetPointData()->GetNumberOfArrays(); ++array)
   {
     vtkDataArray* from = half->GetPointData()->GetArray(array);
@@ -83,7 +101,6 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
       auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
       to->SetName(from->GetName());
       to->SetNumberOfTuples(points->GetNumberOfPoints());
-      full->GetPointData()->AddArray(to);
       arrays.emplace_back(from, to);
     }
   }
@@ -107,6 +124,10 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
         }
       }
     }
+  }
+  for (const auto& array : arrays)
+  {
+    full->GetPointData()->AddArray(Smooth(array.second, fullDimensions));
   }
   return full;
 }
@@ -147,8 +168,9 @@ void BuildIntervalLinear(gallery::Stage& stage)
   extinction->AddPoint(2.0, 1.2);
   extinction->AddPoint(upper, 8.0);
   gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.55, 0.5 });
+  panel.Frame(vtkBoundingBox(-1.0, 6.0, -2.5, 2.5, 0.0, 5.3));
   panel.SetBackground({ 0.86, 0.90, 0.95 });
-  panel.SetAmbientOcclusion(0.015);
+  panel.SetAmbientOcclusion(0.02);
   panel.Add(MakeBluntFinPlate(flow, { 0.80, 0.79, 0.77 }));
   panel.Add(MakeBluntFin(flow, { 0.80, 0.79, 0.77 }));
   panel.Add(gallery::MakeVolume(tetrahedra, "Density", colors, extinction));
@@ -160,7 +182,7 @@ const gallery::SceneRegistration intervalLinear({ "interval-linear", "3.3",
   "A supersonic stream meets a blunt fin that stands on a plate. The cloud is the air denser than "
   "1.2 times the free stream, between the shock and the fin. Color and opacity are functions of "
   "density, so that the dense air at the edge of the fin is visible through the thinner air around "
-  "it. The data contain one half of the flow; the other half is its mirror image.",
+  "it. The data contain one half of the flow, smoothed here; the other half is its mirror image.",
   { "bluntfin.vts" }, &BuildIntervalLinear });
 
 void BuildIntervalTwoAttributes(gallery::Stage& stage)
@@ -173,17 +195,19 @@ void BuildIntervalTwoAttributes(gallery::Stage& stage)
   interval->SetInterval(0, 1.2, 5.0);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, flow);
 
+  // The map starts below the lower bound, since its dark colors are not visible on the background.
   vtkSmartPointer<vtkColorTransferFunction> colors =
-    gallery::MakeColorMap(gallery::Map::Inferno, lower, upper);
+    gallery::MakeColorMap(gallery::Map::Inferno, 2.0, upper);
   vtkNew<vtkPiecewiseFunction> extinction;
   // Faint at low energy, since the grid is too coarse for a smooth volume far from the fin.
   extinction->AddPoint(lower, 0.0);
-  extinction->AddPoint(13.0, 0.3);
-  extinction->AddPoint(18.0, 1.6);
+  extinction->AddPoint(13.0, 1.2);
+  extinction->AddPoint(18.0, 2.4);
   extinction->AddPoint(upper, 5.0);
   gallery::Panel& panel = stage.AddPanel("", { -1.0, -0.5, 0.55 });
-  panel.SetBackground({ 0.05, 0.06, 0.08 });
-  panel.SetAmbientOcclusion(0.015);
+  panel.Frame(vtkBoundingBox(-1.0, 6.0, -2.5, 2.5, 0.0, 5.3));
+  panel.SetBackground({ 0.16, 0.18, 0.22 });
+  panel.SetAmbientOcclusion(0.02);
   panel.Add(MakeBluntFinPlate(flow, { 0.30, 0.32, 0.36 }));
   panel.Add(MakeBluntFin(flow, { 0.42, 0.44, 0.48 }));
   panel.Add(gallery::MakeVolume(tetrahedra, "StagnationEnergy", colors, extinction));
@@ -196,6 +220,6 @@ const gallery::SceneRegistration intervalTwoAttributes(
     "A supersonic stream meets a blunt fin that stands on a plate. The volume is the dense air "
     "between the shock and the fin. Its color and opacity are functions of another attribute, the "
     "stagnation energy, which the extraction interpolates: it is highest along the leading edge. "
-    "The data contain one half of the flow; the other half is its mirror image.",
+    "The data contain one half of the flow, smoothed here; the other half is its mirror image.",
     { "bluntfin.vts" }, &BuildIntervalTwoAttributes });
 }

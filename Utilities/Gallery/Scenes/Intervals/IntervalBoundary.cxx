@@ -9,6 +9,8 @@
 #include "Support/Inputs/DataFiles.h"
 
 #include "vtkIntervalVolume.h"
+#include "vtkProperty.h"
+#include "vtkTimeWeightedTetrahedraMapper.h"
 
 namespace
 {
@@ -26,10 +28,14 @@ void Build(gallery::Stage& stage)
   const vtkVector3d from(1.0, -1.0, 0.5);
   gallery::Panel& plain = stage.AddPanel("the interval", from);
   gallery::Panel& highlighted = stage.AddPanel("its inner boundary highlighted", from);
-  const gallery::IntervalLook look = { gallery::IntervalColor(0), 0.035 };
+  const gallery::IntervalLook look = { gallery::IntervalColor(0), 0.022 };
   plain.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { look }));
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(tetrahedra, { look });
   gallery::SetBoundary(volume, inner, gallery::IntervalColor(2), 1.0);
+  vtkProperty* property = gallery::GetMapper(volume)->GetBoundaryProperty();
+  property->SetAmbient(0.35);
+  property->SetDiffuse(0.6);
+  property->SetSpecular(0.2);
   highlighted.Add(volume);
 }
 

@@ -24,9 +24,9 @@ void Build(gallery::Stage& stage)
   crown->Update();
   vtkSmartPointer<vtkImageData> half = gallery::Reduce(crown->GetOutput(), 2);
 
-  const std::array<double, 5> bounds = { { 26.0, 38.0, 55.0, 85.0, 255.0 } };
-  const std::array<const char*, 4> captions = { { "26 to 38", "38 to 55", "55 to 85",
-    "85 to 255" } };
+  const std::array<double, 5> bounds = { { 26.0, 42.0, 60.0, 85.0, 255.0 } };
+  const std::array<const char*, 4> captions = { { "leaves, 26 to 42", "twigs, 42 to 60",
+    "branches, 60 to 85", "core of the wood, 85 to 255" } };
   const std::array<double, 4> extinctions = { { 0.12, 0.18, 0.18, 0.18 } };
   vtkNew<vtkIntervalVolume> interval;
   stage.SetColumns(2);

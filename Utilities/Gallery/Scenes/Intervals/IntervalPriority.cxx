@@ -18,10 +18,10 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkDataSet> protein = interlume::ReadData("neghip.vti");
-  const std::array<double, 5> bounds = { { 30.0, 70.0, 120.0, 180.0, 255.0 } };
-  const std::array<const char*, 4> labels = { { "30 to 70", "70 to 120", "120 to 180",
-    "180 to 255" } };
-  const std::array<double, 4> extinctions = { { 0.25, 0.2, 0.3, 0.4 } };
+  const std::array<double, 5> bounds = { { 40.0, 50.0, 100.0, 160.0, 255.0 } };
+  const std::array<const char*, 4> labels = { { "40 to 50", "50 to 100", "100 to 160",
+    "160 to 255" } };
+  const std::array<double, 4> extinctions = { { 0.3, 0.05, 0.12, 0.4 } };
   const int count = static_cast<int>(labels.size());
   vtkNew<vtkIntervalVolume> intervals;
   intervals->SetNumberOfIntervals(count);
@@ -58,7 +58,7 @@ void Build(gallery::Stage& stage)
 const gallery::SceneRegistration registration(
   { "interval-priority", "3.6", "Intervals drawn by priority, and in reverse order",
     "Electron density of a protein in four intervals. Each interval is drawn over the previous "
-    "ones regardless of depth, and no interval is sorted. If low values are last, the outer shell "
-    "dominates; if high values are last, the cores stand out.",
+    "ones regardless of depth, and no interval is sorted. If low values are last, the thin outer "
+    "shell lies over the cores; if high values are last, the cores stand out.",
     { "neghip.vti" }, &Build });
 }

@@ -2,6 +2,7 @@
 #ifndef Bonsai_h
 #define Bonsai_h
 
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSpatialObject.h"
 
@@ -13,6 +14,10 @@ namespace gallery
  * pot are excluded.
  */
 vtkSmartPointer<vtkSpatialObject> MakeBonsai();
+
+/// Returns the bonsai without a floor, for use with a polygonal ground, which has no steps between
+/// voxels.
+vtkSmartPointer<vtkImageData> SampleBonsai(int resolution);
 }
 
 #endif

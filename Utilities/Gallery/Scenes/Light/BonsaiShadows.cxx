@@ -4,34 +4,55 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Bonsai.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
+#include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
+
+#include "vtkActorCollection.h"
+#include "vtkShadowedScenePass.h"
 
 namespace
 {
-vtkSmartPointer<vtkImageData> SampleBonsai()
+constexpr interlume::Position3 GROUND{ { 0.84, 0.76, 0.66 } };
+
+/// Adds a polygonal ground to \a panel, in which surfaces and volumes shadow each other.
+void AddShadedGround(gallery::Panel& panel, int samples)
 {
-  vtkSmartPointer<vtkSpatialObject> all =
-    gallery::Unite({ gallery::MakeBonsai(), gallery::MakeFloor({ 0.78, 0.70, 0.60 }) });
-  return gallery::Sample(all, vtkBoundingBox(-0.88, 1.05, -0.86, 0.84, -0.04, 1.08), 260, 0.5);
+  gallery::AddGround(panel, { { 0.0, 0.0, 0.0 } }, 2.0, gallery::EDGE_GAIN, GROUND);
+  // The edge of the ground needs no shadow.
+  vtkShadowedScenePass::SetCastsShadows(panel.GetRenderer()->GetActors()->GetLastActor(), false);
+  gallery::UseSceneShadows(panel, samples);
+  gallery::UseFullResolution(panel);
+}
+
+gallery::Lights MakeLights()
+{
+  gallery::Lights lights = gallery::MakeStudioLights({ -1.1, -1.9, 4.8 }, 0.88);
+  lights.back()->SetIntensity(0.4);
+  return lights;
 }
 
 void Build(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = SampleBonsai();
-  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -0.9, -0.7, 5.0 }, 0.9));
+  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(210);
+  gallery::ShadowPair pair =
+    gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image), MakeLights());
+  AddShadedGround(pair.With, 1);
+  gallery::AddGround(pair.Without, { { 0.0, 0.0, 0.0 } }, 2.0, 1.0, GROUND);
+  pair.Without.SetAmbientOcclusion(0.0);
+  gallery::UseFullResolution(pair.Without);
   pair.UseBackdrop({ 0.90, 0.90, 0.84 }, { 0.50, 0.60, 0.56 });
-  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.54, 0.74, -0.1, 0.1, -0.12, 1.08));
+  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.46, 0.66, -0.1, 0.1, -0.16, 1.06));
 }
 
 void BuildSoft(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = SampleBonsai();
-  gallery::SoftShadowPair pair =
-    gallery::AddSoftShadowPair(stage, image, gallery::MakeSolidMedium(image),
-      gallery::MakeStudioLights({ -0.9, -0.8, 4.6 }, 0.85), 1.1, 0.0, 640);
+  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(190);
+  gallery::SoftShadowPair pair = gallery::AddSoftShadowPair(
+    stage, image, gallery::MakeSolidMedium(image), MakeLights(), 0.9, 0.0, 320);
+  AddShadedGround(pair.Hard, 1);
+  AddShadedGround(pair.Soft, 48);
   pair.UseBackdrop({ 0.92, 0.88, 0.80 }, { 0.56, 0.50, 0.46 });
-  pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.54, 0.76, -0.1, 0.1, -0.06, 1.08));
+  pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.46, 0.66, -0.1, 0.1, -0.16, 1.06));
 }
 
 const gallery::SceneRegistration registration(
@@ -43,6 +64,6 @@ const gallery::SceneRegistration registration(
 const gallery::SceneRegistration softRegistration(
   { "bonsai-soft", "2.36", "A bonsai under a point light and under a disk light",
     "The scanned bonsai under a disk light. The shadow of the pot has a sharp edge; the shadow of "
-    "the crown on the floor is soft.",
+    "the crown on the ground is soft.",
     { "bonsai.vti" }, &BuildSoft });
 }

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shadow of a ring within a translucent box, hard and soft.
 
+#include "Gallery/Look.h"
+#include "Gallery/Panel.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Stage.h"
+
+#include "vtkActor.h"
+#include "vtkCubeSource.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 namespace
 {
@@ -20,15 +28,32 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeRing(const vtkVector3d& center)
   return ring;
 }
 
+vtkSmartPointer<vtkActor> MakeOutline(const double bounds[6])
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(bounds);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cube->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  const vtkColor3d color = gallery::OutlineColor();
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetRepresentationToWireframe();
+  actor->GetProperty()->SetLineWidth(2.0);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
 void Build(gallery::Stage& stage)
 {
   const vtkColor3d ice(0.80, 0.93, 0.97);
   const vtkColor3d slate(0.36, 0.36, 0.38);
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(gallery::Unite({ MakeRing({ 0.0, 0.0, 1.23 }), gallery::MakeFloor(slate) }),
-      vtkBoundingBox(-1.3, 1.1, -1.35, 0.95, -0.06, 1.36), 125);
+      vtkBoundingBox(-1.5, 1.3, -1.5, 0.95, -0.06, 1.36), 155);
   vtkSmartPointer<vtkSpatialPrimitive> box =
     gallery::MakeBox({ -0.64, -0.5, 0.0 }, { 0.64, 0.5, 1.12 }, ice);
+  const double bounds[6] = { -0.64, 0.64, -0.5, 0.5, 0.02, 1.12 };
   // With this edge width, the density changes by less than the surface gradient passed to
   // AddSoftShadowPair(), so the box is not shaded as a surface.
   box->SetEdgeWidth(0.04);
@@ -40,7 +65,12 @@ void Build(gallery::Stage& stage)
   gallery::SoftShadowPair pair = gallery::AddSoftShadowPair(
     stage, image, medium, lights, 0.45, 10.0 * gallery::SMOKE_GRADIENT, 512);
   pair.UseBackdrop({ 0.20, 0.23, 0.27 }, { 0.05, 0.06, 0.08 });
-  pair.Look({ 0.3, -1.0, 0.36 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.3, 1.36));
+  for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
+  {
+    panel->Add(MakeOutline(bounds));
+    panel->SetAmbientOcclusion(0.0);
+  }
+  pair.Look({ 0.2, -1.0, 0.36 }, vtkBoundingBox(-0.82, 0.82, -0.1, 0.1, -0.25, 1.36));
 }
 
 const gallery::SceneRegistration registration(

@@ -7,6 +7,7 @@
 #include "Support/Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkImageGaussianSmooth.h"
 #include "vtkNew.h"
 #include "vtkTransform.h"
 
@@ -14,12 +15,19 @@ namespace
 {
 void Build(gallery::Stage& stage)
 {
-  vtkNew<vtkColorTransferFunction> skin;
-  skin->AddRGBPoint(20.0, 0.82, 0.66, 0.54);
-  skin->AddRGBPoint(80.0, 0.88, 0.74, 0.64);
-  vtkSmartPointer<vtkDataSet> scan = interlume::ReadData("brainsmall.vti");
+  // In the scan, the skin is brighter than the brain.
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, 0.88, 0.72, 0.70);
+  colors->AddRGBPoint(70.0, 0.88, 0.72, 0.70);
+  colors->AddRGBPoint(100.0, 0.88, 0.70, 0.55);
+  // Smooths steps between the slices of the scan.
+  vtkNew<vtkImageGaussianSmooth> scan;
+  scan->SetInputDataObject(interlume::ReadData("brainsmall.vti"));
+  scan->SetStandardDeviations(0.4, 0.4, 1.2);
+  scan->SetRadiusFactors(2.5, 2.5, 2.5);
+  scan->Update();
   vtkSmartPointer<vtkSpatialObject> head =
-    gallery::MakeImageObject(vtkImageData::SafeDownCast(scan), 15.0, 55.0, skin);
+    gallery::MakeImageObject(scan->GetOutput(), 15.0, 55.0, colors);
   const double scale = 1.0 / 128.0;
   vtkNew<vtkTransform> transform;
   transform->Scale(scale, scale, scale);
@@ -29,7 +37,7 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(head, vtkBoundingBox(-0.5, 0.5, -0.35, 0.35, -0.5, 0.5), 180, 1.0);
   vtkSmartPointer<vtkVolumeProperty> property = gallery::MakeSolidMedium(image);
-  const gallery::Lights lights = gallery::MakeStudioLights({ -2.6, -1.5, 1.5 });
+  const gallery::Lights lights = gallery::MakeStudioLights({ -2.2, -2.3, 2.1 });
   gallery::ShadowPair whole = gallery::AddShadowPair(stage, image, property, lights);
   gallery::ShadowPair part =
     gallery::AddShadowPair(stage, image, property, lights, 0.0, "close up, ");
@@ -38,8 +46,8 @@ void Build(gallery::Stage& stage)
   {
     pair.UseBackdrop({ 0.52, 0.60, 0.64 }, { 0.14, 0.19, 0.23 });
   }
-  whole.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.3, 0.3, -0.1, 0.1, -0.16, 0.29));
-  part.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.06, 0.22, -0.3, -0.1, 0.05, 0.2));
+  whole.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.3, 0.3, -0.1, 0.1, -0.26, 0.29));
+  part.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.09, 0.18, -0.3, -0.1, 0.05, 0.2));
 }
 
 const gallery::SceneRegistration registration(

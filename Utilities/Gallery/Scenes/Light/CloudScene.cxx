@@ -11,8 +11,9 @@ namespace gallery
 {
 namespace
 {
-/// Mean cosine of the scattering angle of water droplets.
-constexpr double ANISOTROPY = 0.85;
+/// Mean cosine of the scattering angle. That of water droplets is about 0.85, but then the edges
+/// in front of the sun are too bright.
+constexpr double ANISOTROPY = 0.78;
 }
 
 vtkSmartPointer<vtkVolume> MakeCloudVolume(vtkSpatialObject* clouds,
@@ -36,13 +37,14 @@ void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy, int ce
   mapper->SetScatteringGridSize(cells);
 }
 
-void UseSky(Panel& panel, const vtkVector3d& sun, double exposure)
+void UseSky(
+  Panel& panel, const vtkVector3d& sun, const vtkVector3d& sky, double sunlight, double skylight)
 {
-  vtkSmartPointer<vtkLight> direct = MakeParallelLight(sun, 0.48 * exposure);
+  vtkSmartPointer<vtkLight> direct = MakeParallelLight(sun, sunlight);
   direct->SetDiffuseColor(1.0, 0.96, 0.88);
-  vtkSmartPointer<vtkLight> sky = MakeParallelLight({ 0.05, -0.4, 1.0 }, 0.10 * exposure);
-  sky->SetDiffuseColor(0.72, 0.85, 1.0);
-  panel.SetLights({ direct, sky });
+  vtkSmartPointer<vtkLight> scattered = MakeParallelLight(sky, skylight);
+  scattered->SetDiffuseColor(0.72, 0.85, 1.0);
+  panel.SetLights({ direct, scattered });
   UseBackdrop(panel, { 0.46, 0.62, 0.80 }, { 0.10, 0.22, 0.46 });
 }
 }

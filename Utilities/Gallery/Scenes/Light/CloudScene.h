@@ -36,9 +36,10 @@ vtkSmartPointer<vtkVolume> MakeCloudVolume(vtkSpatialObject* clouds,
 /// edge.
 void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy, int cells = 64);
 
-/// Lights the panel with sunlight from direction \a sun and weak blue light from above, both scaled
-/// by \a exposure, and sets its background to a sky gradient.
-void UseSky(Panel& panel, const vtkVector3d& sun, double exposure = 1.0);
+/// Lights the panel with sunlight from direction \a sun and blue skylight from direction \a sky, of
+/// the given intensities, and sets its background to a sky gradient.
+void UseSky(
+  Panel& panel, const vtkVector3d& sun, const vtkVector3d& sky, double sunlight, double skylight);
 }
 
 #endif

@@ -22,7 +22,7 @@ void Build(gallery::Stage& stage, gallery::Scattering scattering)
   gallery::Panel& panel = stage.AddPanel("", { 0.0, -1.0, 0.02 });
   panel.Add(gallery::MakeCloudVolume(
     interlume::MakeClouds(CLOUDS), { { -2.0, 1.9, -0.95, 1.05, -0.15, 1.35 } }, 240, scattering));
-  gallery::UseSky(panel, { -0.4, 0.9, 0.38 }, 0.8);
+  gallery::UseSky(panel, { -0.4, 0.9, 0.38 }, { 0.05, -0.8, 1.0 }, 0.28, 0.28);
   panel.Frame(vtkBoundingBox(-1.7, 1.55, -0.1, 0.1, -0.36, 1.5));
 }
 

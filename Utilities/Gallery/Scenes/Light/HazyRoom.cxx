@@ -17,6 +17,12 @@ namespace
 /// Smoke density that has the given opacity in MakeSolidMediumInSmoke().
 constexpr double SMOKE_DENSITY = 60.0 / 255.0;
 
+/// Returns the interior of the room. It extends past the upper edge and the sides of the image.
+vtkBoundingBox Interior()
+{
+  return { -1.0, 1.5, -0.9, 1.0, 0.0, 1.4 };
+}
+
 /// Scales \a object, tilts it backward by \a tilt degrees, rotates it around the z axis by
 /// \a degrees, and moves it by \a offset.
 vtkSmartPointer<vtkSpatialObject> Arrange(vtkSmartPointer<vtkSpatialObject> object,
@@ -36,13 +42,13 @@ vtkSmartPointer<vtkImageData> SampleRoom()
   return Sample(
     Unite(
       { Arrange(SoftenEdges(
-                  vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.05),
-          { -0.5, 0.1, 0.0 }, -20.0, 0.0, 0.85),
+                  vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.02),
+          { -0.25, 0.1, 0.0 }, -20.0, 0.0, 0.68),
         Arrange(SoftenEdges(
-                  vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.04),
+                  vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.02),
           { 0.54, 0.32, 0.41 }, -28.0, 80.0, 0.42),
-        MakeRoom() }),
-    vtkBoundingBox(-1.1, 1.05, -1.05, 1.1, -0.1, 1.35), 190);
+        MakeRoom(Interior()) }),
+    vtkBoundingBox(-1.1, 1.5, -0.9, 1.1, -0.1, 1.4), 270);
 }
 }
 
@@ -71,12 +77,11 @@ Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& insi
   return panel;
 }
 
-Panel& AddHazyRoom(Stage& stage, const Lights& lights)
+Panel& AddHazyRoom(Stage& stage, double opacity, const Lights& lights)
 {
-  const vtkBoundingBox inside(-1.0, 1.0, -1.0, 1.0, 0.0, 1.3);
-  Panel& panel = AddHazyPanel(stage, SampleRoom(), inside, 0.003, lights);
-  panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, 0.0, 1.24));
-  panel.LookFrom({ 0.45, -1.0, 0.33 }, { 0.0, 0.0, 1.0 });
+  Panel& panel = AddHazyPanel(stage, SampleRoom(), Interior(), opacity, lights);
+  panel.Frame(vtkBoundingBox(-0.8, 1.0, -0.2, 1.0, 0.02, 1.12));
+  panel.LookFrom({ 0.35, -1.0, 0.28 }, { 0.0, 0.0, 1.0 });
   return panel;
 }
 }

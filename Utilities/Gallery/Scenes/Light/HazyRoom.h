@@ -19,7 +19,7 @@ Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& insi
 /**
  * As above, but the room is MakeRoom() with a robot and rings.
  */
-Panel& AddHazyRoom(Stage& stage, const Lights& lights);
+Panel& AddHazyRoom(Stage& stage, double opacity, const Lights& lights);
 }
 
 #endif

@@ -32,15 +32,15 @@ void BuildProtein(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all =
     gallery::Unite({ gallery::Place(gallery::MakeProtein(), { 0.0, 0.0, 0.55 }, 90.0),
-      gallery::MakeDisk({ 0.08, 0.08, 0.0 }, 0.78, 0.05, gallery::PlasterColor()) });
+      gallery::MakeDisk({ 0.14, 0.14, 0.0 }, 0.92, 0.05, gallery::PlasterColor()) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-0.75, 0.9, -0.75, 0.9, -0.08, 1.1), 200);
+    gallery::Sample(all, vtkBoundingBox(-0.82, 1.1, -0.82, 1.1, -0.08, 1.1), 232);
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     { gallery::MakeParallelProjector(
         { -1.6, -2.4, 2.4 }, { 0.0, 0.0, 0.3 }, 2.4, 2.4, 2.3, gallery::MakeGridPattern(40, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
-  gallery::UseBackdrop(panel, { 0.74, 0.70, 0.66 }, { 0.26, 0.22, 0.24 });
-  panel.Frame(vtkBoundingBox(-0.72, 0.88, -0.2, 0.2, -0.28, 1.03));
+  gallery::UseBackdrop(panel, { 0.66, 0.72, 0.78 }, { 0.18, 0.22, 0.30 });
+  panel.Frame(vtkBoundingBox(-0.74, 0.98, -0.2, 0.2, -0.36, 1.03));
   panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 

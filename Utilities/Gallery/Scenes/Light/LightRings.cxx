@@ -6,6 +6,10 @@
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 
+#include "vtkRenderer.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkVolumeCollection.h"
+
 #include <cmath>
 
 namespace
@@ -27,30 +31,35 @@ void Build(gallery::Stage& stage)
 {
   const vtkBoundingBox box(-1.65, 1.65, -1.0, 1.05, -0.08, 1.4);
   vtkSmartPointer<vtkSpatialObject> cube = gallery::Place(
-    gallery::MakeBox({ -0.25, -0.25, 0.0 }, { 0.25, 0.25, 0.5 }, { 0.72, 0.68, 0.62 }),
-    { 0.62, 0.12, 0.0 }, 25.0);
+    gallery::MakeBox({ -0.25, -0.25, 0.0 }, { 0.25, 0.25, 0.5 }, { 0.74, 0.40, 0.34 }),
+    { 0.70, 0.0, 0.022 }, 6.0);
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
     gallery::Unite(
-      { gallery::MakeBox({ -1.6, -0.95, -0.05 }, { 1.6, 1.0, 0.0 }, gallery::PlasterColor()),
+      { gallery::MakeBox({ -1.6, -0.95, -0.05 }, { 1.6, 0.928, 0.0 }, gallery::PlasterColor()),
         gallery::MakeBox({ -1.6, 0.95, -0.05 }, { 1.6, 1.0, 1.35 }, gallery::PlasterColor()), cube,
         MakeRound(
-          vtkSpatialPrimitive::SPHERE, { -0.12, -0.25, 0.34 }, 0.34, 1.0, { 0.90, 0.60, 0.30 }),
-        MakeRound(
-          vtkSpatialPrimitive::CYLINDER, { -0.72, 0.35, 0.42 }, 0.2, 0.84, { 0.36, 0.50, 0.68 }) }),
-    box, 230);
+          vtkSpatialPrimitive::SPHERE, { -0.12, -0.25, 0.35 }, 0.34, 1.0, { 0.90, 0.60, 0.30 }),
+        MakeRound(vtkSpatialPrimitive::CYLINDER, { -0.72, 0.35, 0.442 }, 0.2, 0.84,
+          { 0.36, 0.50, 0.68 }) }),
+    box, 280);
   vtkSmartPointer<vtkImageData> rings = gallery::MakePattern(512, 512,
     [](double u, double v)
     {
       const double radius = 2.0 * std::hypot(u - 0.5, v - 0.5);
-      const double wave = 0.5 + 0.5 * std::cos(2.0 * 3.14159265358979323846 * 6.0 * radius);
-      const double gray = 0.12 + 0.88 * wave * wave * (3.0 - 2.0 * wave);
+      const double wave = std::cos(2.0 * 3.14159265358979323846 * 6.0 * radius);
+      const double gray = 0.56 + 0.44 * std::tanh(4.0 * wave);
       return vtkColor3d(gray, 0.95 * gray, 0.86 * gray);
     });
   vtkSmartPointer<vtkProjectiveLight> light =
-    gallery::MakeProjector({ -1.7, -3.0, 3.4 }, { 0.0, 0.1, 0.3 }, 3.4, 3.4, 2.5, rings);
+    gallery::MakeProjector({ -1.7, -3.0, 3.4 }, { 0.0, 0.1, 0.3 }, 3.4, 3.4, 2.2, rings);
   light->SetEdgeWidth(0.5);
 
-  gallery::AddPatternPanel(stage, image, light).LookFrom({ 0.15, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = gallery::AddPatternPanel(stage, image, light);
+  // With a smaller light buffer, a weave would be visible on the sphere and the cube.
+  gallery::GetSlicedMapper(
+    vtkVolume::SafeDownCast(panel.GetRenderer()->GetVolumes()->GetItemAsObject(0)))
+    ->SetLightBufferSize(1024);
+  panel.LookFrom({ 0.0, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration registration(

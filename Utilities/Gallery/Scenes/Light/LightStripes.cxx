@@ -15,12 +15,15 @@ void Build(gallery::Stage& stage)
   const vtkBoundingBox box(-1.65, 1.65, -0.95, 1.15, -0.08, 1.35);
   vtkSmartPointer<vtkSpatialObject> cube = gallery::Place(
     gallery::MakeBox({ -0.36, -0.36, 0.0 }, { 0.36, 0.36, 0.72 }, { 0.90, 0.62, 0.34 }),
-    { 0.0, -0.05, 0.0 }, 30.0);
+    { 0.0, -0.05, 0.0 }, 25.0);
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
-    gallery::Unite({ gallery::MakeBox(
-                       { -1.6, -0.9, -0.05 }, { 1.6, 1.1, 0.0 }, gallery::PlasterColor()),
-      gallery::MakeBox({ -1.6, 1.05, -0.05 }, { 1.6, 1.1, 1.3 }, gallery::PlasterColor()), cube }),
-    box, 230);
+    gallery::SoftenEdges(
+      gallery::Unite(
+        { gallery::MakeBox({ -1.6, -0.9, -0.05 }, { 1.6, 1.1, 0.0 }, gallery::PlasterColor()),
+          gallery::MakeBox({ -1.6, 1.05, -0.05 }, { 1.6, 1.1, 1.3 }, gallery::PlasterColor()),
+          cube }),
+      0.012),
+    box, 320, 0.9);
   vtkSmartPointer<vtkImageData> stripes = gallery::MakePattern(1024, 16,
     [](double u, double)
     {
@@ -28,10 +31,10 @@ void Build(gallery::Stage& stage)
       return vtkColor3d(gray, gray, gray);
     });
   vtkSmartPointer<vtkProjectiveLight> light =
-    gallery::MakeProjector({ -1.4, -3.0, 2.9 }, { 0.0, 0.1, 0.35 }, 4.4, 4.4, 2.0, stripes);
+    gallery::MakeProjector({ -1.7, -3.3, 2.6 }, { 0.0, 0.1, 0.35 }, 4.4, 4.4, 1.85, stripes);
   light->SetViewUp(-0.6, 0.0, 1.0);
 
-  gallery::AddPatternPanel(stage, image, light).LookFrom({ 0.2, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  gallery::AddPatternPanel(stage, image, light).LookFrom({ 0.0, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration registration(

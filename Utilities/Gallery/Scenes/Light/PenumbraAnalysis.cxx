@@ -18,10 +18,9 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkTextActor3D.h"
+#include "vtkTextProperty.h"
 #include "vtkTubeFilter.h"
-#include "vtkVectorText.h"
 
 #include <array>
 #include <cmath>
@@ -73,8 +72,9 @@ double GetVirtualWidth(double degrees)
 class Drawing
 {
 public:
-  explicit Drawing(gallery::Panel& panel)
+  Drawing(gallery::Panel& panel, double textHeight)
     : Panel(panel)
+    , TextHeight(textHeight)
   {
     panel.UseParallelProjection();
     panel.SetAmbientOcclusion(0.0);
@@ -115,27 +115,24 @@ public:
     }
   }
 
-  /// Adds text. \a position is the center of its lower edge if \a isCentered, otherwise the left
-  /// end of that edge.
-  void AddText(const std::string& words, const Point2& position, double height, bool isCentered,
-    double degrees = 0.0)
+  /// Adds text. \a position is the center of its lower edge.
+  void AddText(const std::string& words, const Point2& position, double degrees = 0.0)
   {
-    vtkNew<vtkVectorText> text;
-    text->SetText(words.c_str());
-    text->Update();
-    double bounds[6];
-    text->GetOutput()->GetBounds(bounds);
-    vtkNew<vtkTransform> transform;
-    transform->Translate(position[0], -0.1, position[1]);
-    transform->RotateX(90.0);
-    transform->RotateZ(degrees);
-    transform->Scale(height, height, height);
-    transform->Translate(isCentered ? -0.5 * (bounds[0] + bounds[1]) : -bounds[0], 0.0, 0.0);
-    vtkNew<vtkTransformPolyDataFilter> filter;
-    filter->SetInputConnection(text->GetOutputPort());
-    filter->SetTransform(transform);
-    filter->Update();
-    this->Add(filter->GetOutput(), gallery::TextColor());
+    constexpr int resolution = 40;
+    vtkNew<vtkTextActor3D> text;
+    text->SetInput(words.c_str());
+    vtkTextProperty* style = text->GetTextProperty();
+    style->SetFontFamilyToArial();
+    style->SetFontSize(resolution);
+    style->SetJustificationToCentered();
+    style->SetColor(gallery::TextColor().GetData());
+    // Panels have no pass for translucent props.
+    text->ForceOpaqueOn();
+    text->SetPosition(position[0], -0.1, position[1]);
+    text->RotateX(90.0);
+    text->RotateZ(degrees);
+    text->SetScale(this->TextHeight / resolution);
+    this->Panel.Add(text);
   }
 
 private:
@@ -152,6 +149,7 @@ private:
   }
 
   gallery::Panel& Panel;
+  double TextHeight;
 };
 
 vtkColor3d ExactColor()
@@ -168,7 +166,7 @@ vtkColor3d VirtualColor()
 void DrawGeometry(gallery::Panel& panel)
 {
   constexpr double degrees = 45.0;
-  Drawing drawing(panel);
+  Drawing drawing(panel, 0.15);
   const double half = 0.5 * LIGHT * std::cos(vtkMath::RadiansFromDegrees(degrees));
   for (double edge : { -HALF_OCCLUDER, HALF_OCCLUDER })
   {
@@ -195,9 +193,9 @@ void DrawGeometry(gallery::Panel& panel)
   drawing.AddLine(
     { { { -HALF_OCCLUDER, 0.0 } }, { { HALF_OCCLUDER, 0.0 } } }, gallery::TextColor(), 0.06);
   drawing.AddLine(
-    { { { -1.45, -TO_RECEIVER } }, { { 1.45, -TO_RECEIVER } } }, gallery::OutlineColor(), 0.03);
-  drawing.AddText("occluder", { { 0.0, -0.24 } }, 0.16, true);
-  drawing.AddText("receiver", { { 0.0, -TO_RECEIVER - 0.2 } }, 0.16, true);
+    { { { -1.3, -TO_RECEIVER } }, { { 1.3, -TO_RECEIVER } } }, gallery::OutlineColor(), 0.03);
+  drawing.AddText("occluder", { { 0.0, -0.24 } });
+  drawing.AddText("receiver", { { 0.0, -TO_RECEIVER - 0.2 } });
 }
 
 vtkColor3d SourceColor()
@@ -205,7 +203,11 @@ vtkColor3d SourceColor()
   return gallery::IntervalColor(2);
 }
 
-/// Draws the axes of a chart from the origin to (2.6, 3), with grid lines and labels.
+/// Width and height of a chart.
+constexpr double WIDTH = 2.6;
+constexpr double HEIGHT = 4.0;
+
+/// Draws the axes of a chart, with grid lines and labels.
 void DrawAxes(Drawing& drawing, const std::vector<std::string>& across,
   const std::vector<std::string>& up, const std::array<std::string, 2>& titles)
 {
@@ -214,27 +216,27 @@ void DrawAxes(Drawing& drawing, const std::vector<std::string>& across,
   const auto width = [](std::size_t i) { return i == 0 ? 0.018 : 0.008; };
   for (std::size_t i = 0; i < up.size(); ++i)
   {
-    const double z = 3.0 * static_cast<double>(i) / static_cast<double>(up.size() - 1);
-    drawing.AddLine({ { { 0.0, z } }, { { 2.6, z } } }, color(i), width(i));
-    drawing.AddText(up[i], { { -0.26, z - 0.08 } }, 0.20, true);
+    const double z = HEIGHT * static_cast<double>(i) / static_cast<double>(up.size() - 1);
+    drawing.AddLine({ { { 0.0, z } }, { { WIDTH, z } } }, color(i), width(i));
+    drawing.AddText(up[i], { { -0.25, z - 0.09 } });
   }
   for (std::size_t i = 0; i < across.size(); ++i)
   {
-    const double x = 2.6 * static_cast<double>(i) / static_cast<double>(across.size() - 1);
-    drawing.AddLine({ { { x, 0.0 } }, { { x, 3.0 } } }, color(i), width(i));
-    drawing.AddText(across[i], { { x, -0.32 } }, 0.20, true);
+    const double x = WIDTH * static_cast<double>(i) / static_cast<double>(across.size() - 1);
+    drawing.AddLine({ { { x, 0.0 } }, { { x, HEIGHT } } }, color(i), width(i));
+    drawing.AddText(across[i], { { x, -0.34 } });
   }
-  drawing.AddText(titles[0], { { 1.3, -0.70 } }, 0.20, true);
-  drawing.AddText(titles[1], { { -0.72, 1.5 } }, 0.20, true, 90.0);
+  drawing.AddText(titles[0], { { 0.5 * WIDTH, -0.66 } });
+  drawing.AddText(titles[1], { { -0.5, 0.5 * HEIGHT } }, 90.0);
 }
 
 /// Plots penumbra widths as a function of the angle of the light.
 void DrawAngles(gallery::Panel& panel)
 {
-  Drawing drawing(panel);
+  Drawing drawing(panel, 0.19);
   constexpr double largest = 0.8;
   const auto toChart = [](double degrees, double width) {
-    return Point2{ { 2.6 * degrees / 45.0, 3.0 * width / largest } };
+    return Point2{ { WIDTH * degrees / 45.0, HEIGHT * width / largest } };
   };
   DrawAxes(drawing, { "0", "15", "30", "45" }, { "0", "0.2", "0.4", "0.6", "0.8" },
     { { "angle [degrees]", "width / light's size" } });
@@ -250,8 +252,8 @@ void DrawAngles(gallery::Panel& panel)
   plot([](double degrees) { return GetExactWidth(degrees, HALF_OCCLUDER); }, ExactColor());
   plot([](double degrees) { return GetExactWidth(degrees, -HALF_OCCLUDER); }, ExactColor());
   plot(GetVirtualWidth, VirtualColor());
-  drawing.AddText("right edge", toChart(29.0, 0.65), 0.20, true);
-  drawing.AddText("left edge", toChart(18.0, 0.29), 0.20, true);
+  drawing.AddText("right edge", toChart(29.0, 0.65));
+  drawing.AddText("left edge", toChart(18.0, 0.29));
 }
 
 /// Renders the shadow of a half plane, and returns its penumbra width divided by the exact width.
@@ -276,10 +278,10 @@ double MeasureWidth(reference::VolumeStage& stage, double ratio, int method)
 /// 0.05 to 5.
 void DrawMeasured(gallery::Panel& panel)
 {
-  Drawing drawing(panel);
+  Drawing drawing(panel, 0.19);
   constexpr double largest = 1.2;
   const auto toChart = [](double ratio, double width) {
-    return Point2{ { 1.3 * std::log10(ratio / 0.05), 3.0 * width / largest } };
+    return Point2{ { 0.5 * WIDTH * std::log10(ratio / 0.05), HEIGHT * width / largest } };
   };
   DrawAxes(drawing, { "0.05", "0.5", "5" }, { "0", "0.4", "0.8", "1.2" },
     { { "distance ratio", "width / exact width" } });

@@ -5,7 +5,8 @@
 #include "Support/Inputs/DataFiles.h"
 
 #include "vtkColorTransferFunction.h"
-#include "vtkImageResample.h"
+#include "vtkImageGaussianSmooth.h"
+#include "vtkImageReslice.h"
 #include "vtkNew.h"
 #include "vtkTransform.h"
 
@@ -14,19 +15,25 @@ namespace gallery
 vtkSmartPointer<vtkSpatialObject> MakeProtein()
 {
   vtkSmartPointer<vtkDataSet> data = interlume::ReadData("ironProt.vtk");
-  // Cubic interpolation makes the surface smoother than linear interpolation.
-  vtkNew<vtkImageResample> finer;
+  // The values are 8-bit and saturated, with steps. The smoothing hides the steps, and rounds the
+  // blobs that the boundary of the data cuts.
+  vtkNew<vtkImageReslice> finer;
   finer->SetInputData(data);
   finer->SetInterpolationModeToCubic();
-  finer->SetAxisMagnificationFactor(0, 2.0);
-  finer->SetAxisMagnificationFactor(1, 2.0);
-  finer->SetAxisMagnificationFactor(2, 2.0);
-  finer->Update();
+  finer->SetOutputScalarType(VTK_FLOAT);
+  finer->SetOutputSpacing(0.5, 0.5, 0.5);
+  finer->SetOutputExtent(-12, 146, -12, 146, -12, 146);
+  finer->SetOutputOrigin(0.0, 0.0, 0.0);
+  vtkNew<vtkImageGaussianSmooth> smooth;
+  smooth->SetInputConnection(finer->GetOutputPort());
+  smooth->SetStandardDeviation(2.5);
+  smooth->SetRadiusFactor(2.5);
+  smooth->Update();
 
   vtkNew<vtkColorTransferFunction> colors;
   colors->AddRGBPoint(0.0, 0.85, 0.62, 0.38);
   vtkSmartPointer<vtkSpatialImage> protein =
-    MakeImageObject(finer->GetOutput(), 20.0, 140.0, colors);
+    MakeImageObject(smooth->GetOutput(), 20.0, 140.0, colors);
   const double scale = 1.0 / 67.0;
   vtkNew<vtkTransform> transform;
   transform->Scale(scale, scale, scale);

@@ -47,7 +47,7 @@ void BuildSoft(gallery::Stage& stage)
     gallery::AddSoftShadowPair(stage, image, gallery::MakeSolidMedium(image),
       gallery::MakeStudioLights({ -1.1, -0.8, 4.4 }, 0.85), 1.2, 0.0, 512);
   pair.UseBackdrop({ 0.84, 0.86, 0.88 }, { 0.50, 0.58, 0.66 });
-  pair.Look({ 0.1, -1.0, 1.3 }, vtkBoundingBox(-0.94, 1.2, -0.1, 0.1, -1.5, 1.6));
+  pair.Look({ 0.1, -1.0, 1.3 }, vtkBoundingBox(-0.94, 1.2, -0.1, 0.1, -1.15, 1.6));
 }
 
 const gallery::SceneRegistration registration({ "rings", "2.7", "Rings with shadows on each other",

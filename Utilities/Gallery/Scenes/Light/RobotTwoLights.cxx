@@ -7,26 +7,30 @@
 #include "Gallery/Stage.h"
 
 #include "vtkConstructiveModelSource.h"
+#include "vtkSpatialOperation.h"
 
 namespace
 {
 void Build(gallery::Stage& stage)
 {
+  vtkSmartPointer<vtkSpatialObject> robot = gallery::SoftenEdges(
+    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.014);
+  // Narrow gaps below the head and the feet avoid bright rims where surfaces meet.
+  vtkSpatialPrimitive::SafeDownCast(vtkSpatialOperation::SafeDownCast(robot)->GetOperand(0))
+    ->SetCenter(0.0, 0.0, 1.108);
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite({ gallery::MakeFloor({ 0.78, 0.76, 0.74 }),
-    gallery::Place(gallery::SoftenEdges(
-                     vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT)),
-      { -0.08, 0.0, 0.0 }, -28.0) });
+    gallery::Place(robot, { -0.4, -0.05, 0.018 }, -46.0) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-1.2, 1.1, -1.0, 0.9, -0.06, 1.26), 200);
+    gallery::Sample(all, vtkBoundingBox(-1.3, 1.3, -1.25, 1.2, -0.04, 1.3), 290, 0.9);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMedium(image);
-  gallery::Lights lights = { gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.3),
-    gallery::MakePointLight({ -2.6, -1.4, 3.6 }, 1.3) };
+  gallery::Lights lights = { gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.35),
+    gallery::MakePointLight({ -2.9, -2.2, 4.6 }, 1.4) };
   lights.back()->SetDiffuseColor(1.0, 0.82, 0.60);
   gallery::Panel& one = stage.AddPanel("one light");
   one.Add(gallery::MakeSlicedVolume(image, medium));
   one.SetLights(lights);
 
-  lights.push_back(gallery::MakePointLight({ 2.2, -2.4, 3.6 }, 1.3));
+  lights.push_back(gallery::MakePointLight({ -3.6, 0.8, 5.2 }, 1.3));
   lights.back()->SetDiffuseColor(0.55, 0.74, 1.0);
   gallery::Panel& two = stage.AddPanel("two lights");
   two.Add(gallery::MakeSlicedVolume(image, medium));
@@ -34,7 +38,7 @@ void Build(gallery::Stage& stage)
 
   for (gallery::Panel* panel : { &one, &two })
   {
-    panel->Frame(vtkBoundingBox(-0.8, 0.66, -0.1, 0.1, -0.42, 1.25));
+    panel->Frame(vtkBoundingBox(-0.82, 0.92, -0.1, 0.1, -0.25, 1.2));
     gallery::UseBackdrop(*panel, { 0.62, 0.64, 0.70 }, { 0.16, 0.18, 0.24 });
   }
   two.ShareCamera(one);

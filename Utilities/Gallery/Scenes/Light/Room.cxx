@@ -2,6 +2,7 @@
 #include "Gallery/Scenes/Light/Room.h"
 
 #include "Gallery/Scenes/Light/ShadowScene.h"
+#include "Gallery/VectorArithmetic.h"
 
 #include "vtkConstructiveModelSource.h"
 #include "vtkNew.h"
@@ -12,25 +13,11 @@ namespace gallery
 {
 namespace
 {
-vtkSmartPointer<vtkSpatialObject> MakePuff()
-{
-  vtkNew<vtkSpatialPrimitive> sphere;
-  sphere->SetShape(vtkSpatialPrimitive::FUZZY_SPHERE);
-  sphere->SetRadius(0.32);
-  sphere->SetInnerRadius(0.05);
-  vtkNew<vtkSpatialTurbulence> puff;
-  puff->SetOperand(sphere);
-  puff->SetFrequency(5.0);
-  puff->SetAmplitude(0.1);
-  puff->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
-  return Place(puff, { 0.75, -0.75, 0.45 });
-}
-
 /// Returns upright rings that lean on the wall at +y.
 vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
 {
   vtkSmartPointer<vtkSpatialObject> rings = Unite({ SoftenEdges(
-    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.03) });
+    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.02) });
   vtkNew<vtkTransform> transform;
   transform->Translate(0.45, 0.66, 0.47);
   transform->RotateX(74.0);
@@ -43,7 +30,7 @@ vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
 vtkSmartPointer<vtkSpatialObject> MakeSmallRobot()
 {
   vtkSmartPointer<vtkSpatialObject> robot = Unite({ SoftenEdges(
-    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.03) });
+    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.02) });
   vtkNew<vtkTransform> transform;
   transform->Translate(-0.4, 0.1, 0.0);
   transform->RotateZ(20.0);
@@ -53,15 +40,34 @@ vtkSmartPointer<vtkSpatialObject> MakeSmallRobot()
 }
 }
 
-vtkSmartPointer<vtkSpatialObject> MakeRoom()
+vtkSmartPointer<vtkSpatialObject> MakeRoom(const vtkBoundingBox& inside)
 {
   const double thickness = 0.05;
-  const vtkColor3d floor(0.70, 0.58, 0.46);
-  return Unite({ MakeBox(
-                   { -1.0 - thickness, -1.0, -thickness }, { 1.0, 1.0 + thickness, 0.0 }, floor),
-    MakeBox({ -1.0 - thickness, -1.0, -thickness }, { -1.0, 1.0 + thickness, 1.3 }, PlasterColor()),
-    MakeBox(
-      { -1.0 - thickness, 1.0, -thickness }, { 1.0, 1.0 + thickness, 1.3 }, PlasterColor()) });
+  vtkVector3d lower;
+  vtkVector3d upper;
+  inside.GetMinPoint(lower.GetData());
+  inside.GetMaxPoint(upper.GetData());
+  const vtkVector3d outside = lower - vtkVector3d(thickness, 0.0, thickness);
+  const double back = upper[1] + thickness;
+  return SoftenEdges(Unite({ MakeBox(outside, { upper[0], back, lower[2] }, { 0.70, 0.58, 0.46 }),
+                       MakeBox(outside, { lower[0], back, upper[2] }, PlasterColor()),
+                       MakeBox({ outside[0], upper[1], outside[2] }, { upper[0], back, upper[2] },
+                         PlasterColor()) }),
+    0.01);
+}
+
+vtkSmartPointer<vtkSpatialObject> MakePuff(const vtkVector3d& center)
+{
+  vtkNew<vtkSpatialPrimitive> sphere;
+  sphere->SetShape(vtkSpatialPrimitive::FUZZY_SPHERE);
+  sphere->SetRadius(0.32);
+  sphere->SetInnerRadius(0.05);
+  vtkNew<vtkSpatialTurbulence> puff;
+  puff->SetOperand(sphere);
+  puff->SetFrequency(5.0);
+  puff->SetAmplitude(0.1);
+  puff->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
+  return Place(puff, center);
 }
 
 vtkSmartPointer<vtkImageData> SampleFurnishedRoom(int resolution)
@@ -70,7 +76,7 @@ vtkSmartPointer<vtkImageData> SampleFurnishedRoom(int resolution)
     Unite({ MakeSmallRobot(), MakeLeaningRings(), MakeRoom() });
   vtkSmartPointer<vtkImageData> image =
     Sample(all, vtkBoundingBox(-1.1, 1.05, -1.05, 1.1, -0.1, 1.35), resolution);
-  AddSmoke(image, MakePuff(), 0.24, { 0.80, 0.82, 0.85 });
+  AddSmoke(image, MakePuff({ 0.75, -0.75, 0.45 }), 0.24, { 0.80, 0.82, 0.85 });
   return image;
 }
 }

@@ -6,14 +6,23 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Stage.h"
 
+#include "vtkShadowedSliceMapper.h"
+
 namespace
 {
 void Build(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = gallery::SampleFurnishedRoom(190);
-  gallery::Panel& panel =
-    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMediumInSmoke(image, 0.09),
-      gallery::MakeStudioLights({ 2.8, -1.8, 2.8 }), gallery::SMOKE_GRADIENT);
+  vtkSmartPointer<vtkImageData> image = gallery::SampleFurnishedRoom(320);
+  vtkSmartPointer<vtkVolume> volume = gallery::MakeSlicedVolume(
+    image, gallery::MakeSolidMediumInSmoke(image, 0.054), gallery::SMOKE_GRADIENT);
+  // With the defaults, the image would be less sharp than the volume, and a weave would be visible.
+  vtkShadowedSliceMapper* mapper = gallery::GetSlicedMapper(volume);
+  mapper->SetImageSampleDistance(1.5);
+  mapper->SetSliceSpacing(0.35 * image->GetSpacing()[0]);
+  mapper->SetLightBufferSize(1024);
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.Add(volume);
+  panel.SetLights(gallery::MakeStudioLights({ 3.0, -2.3, 2.7 }, 1.1));
   gallery::UseBackdrop(panel, { 0.24, 0.25, 0.28 }, { 0.40, 0.43, 0.48 });
   panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, 0.02, 1.28));

@@ -74,7 +74,7 @@ vtkSmartPointer<vtkImageData> MakeSlide()
       if (radius < RADIUS)
       {
         // The emblem is a disk cut into slices.
-        const double slice = std::fmod((y + 0.12 + RADIUS) / (2.0 * RADIUS) * 6.0, 1.0);
+        const double slice = std::fmod((y + 0.12 + RADIUS) / (2.0 * RADIUS) * 5.72, 1.0);
         color = slice < 0.72 ? vtkColor3d(0.90, 0.20, 0.10) : paper;
       }
       if (std::max(std::abs(x) / (0.5 * ASPECT - 0.04), std::abs(y) / 0.46) > 1.0)
@@ -93,8 +93,9 @@ void Build(gallery::Stage& stage)
 {
   constexpr double height = 0.86;
   vtkSmartPointer<vtkProjectiveLight> projector = gallery::MakeProjector(
-    { 0.3, -2.8, 1.15 }, { 0.14, 1.0, 0.80 }, ASPECT * height, height, 1.9, MakeSlide());
-  gallery::AddHazyRoom(stage, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.45) });
+    { -0.7, -2.8, 1.1 }, { 0.22, 1.0, 0.70 }, ASPECT * height, height, 2.7, MakeSlide());
+  gallery::AddHazyRoom(
+    stage, 0.0012, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.5) });
 }
 
 const gallery::SceneRegistration registration(

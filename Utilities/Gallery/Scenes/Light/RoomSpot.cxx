@@ -10,9 +10,9 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkProjectiveLight> spot = gallery::MakeProjector(
-    { -1.2, -1.5, 2.7 }, { 0.0, 0.15, 0.3 }, 1.7, 1.7, 2.2, gallery::MakeSoftDiskImage(0.25));
+    { -1.2, -1.5, 2.7 }, { 0.0, 0.15, 0.3 }, 1.4, 1.4, 3.2, gallery::MakeSoftDiskImage(0.12));
   spot->SetDiffuseColor(1.0, 0.93, 0.80);
-  gallery::AddHazyRoom(stage, { spot, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.3) });
+  gallery::AddHazyRoom(stage, 0.0036, { spot, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.25) });
 }
 
 const gallery::SceneRegistration registration({ "room-spot", "2.22", "A spot of light in a room",

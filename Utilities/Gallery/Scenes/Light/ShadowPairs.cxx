@@ -8,6 +8,8 @@
 
 #include "vtkConstructiveModelSource.h"
 #include "vtkNew.h"
+#include "vtkSpatialOperation.h"
+#include "vtkSpatialTurbulence.h"
 
 namespace
 {
@@ -23,9 +25,9 @@ void BuildSphereShadow(gallery::Stage& stage)
   const double opacity = 0.075;
   gallery::ShadowPair pair =
     gallery::AddShadowPair(stage, image, gallery::MakeSolidMediumInSmoke(image, opacity),
-      gallery::MakeStudioLights({ -1.2, -1.2, 3.4 }, 0.9), 3.0 * gallery::SMOKE_GRADIENT);
+      gallery::MakeStudioLights({ -1.1, -1.2, 3.5 }, 0.9), 3.0 * gallery::SMOKE_GRADIENT);
   pair.UseBackdrop({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
-  pair.Look({ 0.15, -1.0, 0.75 }, vtkBoundingBox(-0.62, 0.74, -0.1, 0.1, -0.55, 1.25));
+  pair.Look({ 0.15, -1.0, 0.75 }, vtkBoundingBox(-0.59, 0.79, -0.1, 0.1, -0.55, 1.25));
 }
 
 const gallery::SceneRegistration sphereShadow(
@@ -40,12 +42,12 @@ void BuildCurvedShadows(gallery::Stage& stage)
     gallery::Unite({ gallery::Place(gallery::SoftenEdges(vtkConstructiveModelSource::MakeModel(
                                       vtkConstructiveModelSource::TWO_SPHERES)),
                        { 0.0, 0.0, 0.5 }, -60.0),
-      gallery::MakeFloor({ 0.62, 0.66, 0.60 }) });
+      gallery::MakeFloor({ 0.86, 0.80, 0.70 }) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-1.25, 1.05, -1.0, 0.9, -0.06, 1.35), 185);
+    gallery::Sample(all, vtkBoundingBox(-1.25, 1.05, -1.0, 0.9, -0.06, 1.35), 210, 1.6);
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -0.9, -1.7, 3.8 }, 0.95));
-  pair.UseBackdrop({ 0.80, 0.84, 0.82 }, { 0.34, 0.45, 0.46 });
+  pair.UseBackdrop({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
   pair.Look({ 0.2, -1.0, 0.75 }, vtkBoundingBox(-0.66, 0.7, -0.1, 0.1, -0.42, 1.4));
 }
 
@@ -55,37 +57,50 @@ const gallery::SceneRegistration curvedShadows(
     "continues on the floor.",
     {}, &BuildCurvedShadows });
 
+/// Returns the model of a bear with fur of short strands, which hang down.
+vtkSmartPointer<vtkSpatialObject> MakeFurryBear()
+{
+  vtkSmartPointer<vtkSpatialObject> bear =
+    vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::TEDDY_BEAR);
+  auto* parts = vtkSpatialOperation::SafeDownCast(bear);
+  auto* fur =
+    vtkSpatialTurbulence::SafeDownCast(parts->GetOperand(parts->GetNumberOfOperands() - 1));
+  fur->SetFrequency(46.0, 46.0, 14.0);
+  fur->SetNumberOfOctaves(2);
+  fur->SetAmplitude(0.7);
+  return bear;
+}
+
 void BuildTeddyBear(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::TEDDY_BEAR),
-        { 0.0, 0.1, 0.0 }, 20.0),
+  vtkSmartPointer<vtkSpatialObject> all =
+    gallery::Unite({ gallery::Place(MakeFurryBear(), { 0.0, 0.1, 0.0 }, 20.0),
       gallery::MakeFloor({ 0.66, 0.52, 0.40 }) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-0.95, 0.95, -0.8, 0.9, -0.06, 1.4), 205, 0.8);
+    gallery::Sample(all, vtkBoundingBox(-0.95, 1.0, -0.8, 1.1, -0.06, 1.4), 266, 0.8);
   gallery::ShadowPair pair = gallery::AddShadowPair(
-    stage, image, gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -2.0, -2.0, 3.0 }));
+    stage, image, gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -0.9, -2.1, 4.1 }));
   pair.UseBackdrop({ 0.93, 0.88, 0.78 }, { 0.52, 0.60, 0.68 });
-  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.64, 0.64, -0.1, 0.1, -0.27, 1.38));
+  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.6, 0.72, -0.1, 0.1, -0.27, 1.38));
 }
 
 const gallery::SceneRegistration teddyBear(
   { "teddy-bear", "2.13", "A teddy bear, without and with shadows",
-    "A blend of ellipsoids with fur from noise. The dissertation shows a scanned bear. With "
-    "shadows, the head shades the body and the legs shade the ground, and the fur has depth.",
+    "A blend of ellipsoids with strands of fur from noise. The dissertation shows a scanned bear. "
+    "With shadows, the head shades the body and the legs shade the ground, and the fur has depth.",
     {}, &BuildTeddyBear });
 
 void BuildProteinShadows(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all =
-    gallery::Unite({ gallery::Place(gallery::MakeProtein(), { 0.0, 0.0, 0.52 }, 90.0),
-      gallery::MakeFloor({ 0.40, 0.46, 0.54 }) });
+    gallery::Unite({ gallery::Place(gallery::MakeProtein(), { 0.0, 0.0, 0.52 }, 100.0),
+      gallery::MakeFloor({ 0.62, 0.67, 0.72 }) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-1.0, 1.0, -1.02, 0.9, -0.05, 1.05), 220, 0.7);
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.4, -1.2, 3.4 }, 0.95));
+    gallery::MakeStudioLights({ -0.5, -1.1, 3.8 }, 0.95));
   pair.UseBackdrop({ 0.70, 0.76, 0.83 }, { 0.20, 0.26, 0.36 });
-  pair.Look({ 0.0, -1.0, 0.6 }, vtkBoundingBox(-0.68, 0.70, -0.1, 0.1, -0.48, 1.2));
+  pair.Look({ 0.0, -1.0, 0.6 }, vtkBoundingBox(-0.5, 0.66, -0.1, 0.1, -0.24, 1.08));
 }
 
 const gallery::SceneRegistration proteinShadows(

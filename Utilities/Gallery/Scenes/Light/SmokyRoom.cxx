@@ -7,6 +7,7 @@
 #include "Gallery/Stage.h"
 
 #include "vtkNew.h"
+#include "vtkShadowedSliceMapper.h"
 #include "vtkTurbulenceSource.h"
 
 namespace
@@ -15,28 +16,33 @@ void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
     { gallery::Place(gallery::MakeBox({ -0.3, -0.3, 0.0 }, { 0.3, 0.3, 0.6 }, { 0.80, 0.47, 0.26 }),
-        { 0.0, 0.15, 0.0 }, 30.0),
-      gallery::MakeRoom() });
+        { 0.3, 0.2, 0.0 }, 30.0),
+      gallery::MakeRoom(vtkBoundingBox(-1.0, 1.5, -1.0, 1.0, 0.0, 1.5)) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-1.1, 1.1, -1.1, 1.1, -0.1, 1.4), 160);
+    gallery::Sample(all, vtkBoundingBox(-1.1, 1.5, -1.0, 1.1, -0.1, 1.5), 260, 1.4);
   vtkNew<vtkTurbulenceSource> smoke;
   smoke->SetFrequency(1.9);
   smoke->SetOffset(-0.06);
   smoke->SetAmplitude(1.4);
   smoke->SetFalloff(vtkTurbulenceSource::EXPONENTIAL);
-  smoke->SetTopFraction(0.002);
-  gallery::AddSmoke(
-    image, smoke, 0.42, { 0.86, 0.87, 0.88 }, vtkBoundingBox(-1.0, 0.98, -0.98, 1.0, 0.0, 1.3));
-  gallery::Panel& panel =
-    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMediumInSmoke(image, 0.045),
-      gallery::MakeStudioLights({ 2.8, -1.6, 3.2 }, 1.0), gallery::SMOKE_GRADIENT);
+  smoke->SetTopFraction(0.006);
+  gallery::AddSmoke(image, smoke, 0.52, { 0.86, 0.87, 0.88 });
+  gallery::AddSmoke(image, gallery::MakePuff({ -0.35, -0.45, 0.5 }), 0.3, { 0.86, 0.87, 0.88 });
+  vtkSmartPointer<vtkVolume> volume = gallery::MakeSlicedVolume(
+    image, gallery::MakeSolidMediumInSmoke(image, 0.035), gallery::SMOKE_GRADIENT);
+  // With the defaults, a weave would be visible on the walls and the cube.
+  gallery::GetSlicedMapper(volume)->SetSliceSpacing(0.3 * image->GetSpacing()[0]);
+  gallery::GetSlicedMapper(volume)->SetLightBufferSize(1024);
+  gallery::Panel& panel = stage.AddPanel("");
+  panel.Add(volume);
+  panel.SetLights(gallery::MakeStudioLights({ 2.6, -2.4, 2.6 }));
   gallery::UseBackdrop(panel, { 0.20, 0.22, 0.26 }, { 0.34, 0.38, 0.44 });
-  panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
-  panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, 0.02, 1.28));
+  panel.LookFrom({ 0.3, -1.0, 0.36 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-0.85, 0.95, -0.4, 1.0, 0.02, 1.05));
 }
 
 const gallery::SceneRegistration registration({ "smoky-room", "2.8", "A cube in a smoky room",
-  "Smoke fills a room, dense at the floor and thin above, with turbulence. It attenuates the "
-  "light, receives the shadow of the cube and casts a shadow itself.",
+  "Smoke fills a room, dense at the floor and thin above, with turbulence, and rises in a cloud. "
+  "It attenuates the light, receives the shadow of the cube and casts a shadow itself.",
   {}, &Build });
 }

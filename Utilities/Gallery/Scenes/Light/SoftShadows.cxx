@@ -50,7 +50,7 @@ SoftShadowPair AddSoftShadowPair(Stage& stage, vtkImageData* image, vtkVolumePro
       // Soft shadows need fewer texels than hard shadows, but enough light samples to avoid visible
       // steps.
       GetSlicedMapper(volume)->SetLightBufferSize(lightBuffer);
-      GetSlicedMapper(volume)->SetNumberOfLightSamples(24);
+      GetSlicedMapper(volume)->SetNumberOfLightSamples(64);
     }
     panel->Add(volume);
     panel->SetLights(panel == &soft ? MakeDiskLights(lights, diameter) : lights);

@@ -66,10 +66,10 @@ void Build(gallery::Stage& stage)
     }
     panel->Add(volume);
     vtkSmartPointer<vtkLight> lamp =
-      gallery::MakeParallelLight({ 1.0, 0.55, 0.5 }, panel == &with ? 0.6 : 1.4);
+      gallery::MakeParallelLight({ 1.0, 0.55, 0.5 }, panel == &with ? 0.43 : 1.4);
     lamp->SetDiffuseColor(1.0, 0.95, 0.85);
     panel->SetLights(
-      { lamp, gallery::MakeParallelLight({ -0.7, -1.0, 0.6 }, panel == &with ? 0.2 : 1.3) });
+      { lamp, gallery::MakeParallelLight({ -0.7, -1.0, 0.6 }, panel == &with ? 0.28 : 1.3) });
     panel->SetBackground({ 0.20, 0.23, 0.28 });
   }
   const double* bounds = image->GetBounds();
@@ -86,6 +86,7 @@ const gallery::SceneRegistration registration({ "tooth-scattering", "2.53",
   "A scanned tooth without and with scattering inside",
   "A light is behind a tooth on the right. In the first image, light is reflected where it reaches "
   "the medium. In the second image, it is scattered inside until it leaves, so that shadows are "
-  "soft and the far side glows. The lights of the second image are weaker.",
+  "soft and the far side glows. The lights of the second image are weaker. The scan ends below "
+  "the tip of a cusp.",
   { "tooth.vti" }, &Build });
 }

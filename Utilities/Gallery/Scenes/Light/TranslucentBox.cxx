@@ -49,6 +49,12 @@ struct TranslucentBox
 /// Density of the air divided by the density of the box.
 constexpr double AIR_FRACTION = 0.2;
 
+/// Sets a background as dark as unlit air, so that the limits of the air are not visible.
+void UseDarkness(Panel& panel)
+{
+  UseBackdrop(panel, { 0.03, 0.03, 0.035 }, { 0.03, 0.03, 0.035 });
+}
+
 vtkSmartPointer<vtkImageData> SampleBox(const TranslucentBox& box)
 {
   const vtkColor3d white(1.0, 1.0, 1.0);
@@ -78,7 +84,7 @@ vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degree
   const vtkColor3d color = OutlineColor();
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetRepresentationToWireframe();
-  actor->GetProperty()->SetLineWidth(2.0);
+  actor->GetProperty()->SetLineWidth(2.5);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -93,7 +99,7 @@ ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Ligh
   opacity->AddPoint(255.0 * AIR_FRACTION, 1.0 - std::exp(-box.AirExtinction));
   opacity->AddPoint(255.0, 1.0 - std::exp(-box.Extinction));
   vtkSmartPointer<vtkVolumeProperty> medium = MakeColoredMedium(opacity, 1.0);
-  medium->SetAmbient(0.05);
+  medium->SetAmbient(0.08);
   medium->SetDiffuse(1.0);
   medium->SetSpecular(0.0);
 
@@ -109,7 +115,7 @@ ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Ligh
     panel->Add(volume);
     panel->Add(MakeBoxFrame(box.Lengths, box.Degrees));
     panel->SetAmbientOcclusion(0.0);
-    UseBackdrop(*panel, { 0.13, 0.16, 0.20 }, { 0.04, 0.05, 0.07 });
+    UseDarkness(*panel);
     panel->SetLights(beams);
   }
   return { without, with };
@@ -119,9 +125,9 @@ void BuildBeamBox(gallery::Stage& stage)
 {
   // The panels are wide, so one is above the other.
   stage.SetColumns(1);
-  const TranslucentBox box = { { 1.0, 0.6, 0.7 }, 5.0, 35.0, 2.2, 0.4 };
+  const TranslucentBox box = { { 1.0, 0.6, 0.7 }, 4.6, 35.0, 1.15, 0.3 };
   AddTranslucentBox(stage, box,
-    { gallery::MakeBeam({ -3.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.3, 4.6, { 1.0, 0.80, 0.5 }) })
+    { gallery::MakeBeam({ -3.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.32, 4.6, { 1.0, 0.80, 0.5 }) })
     .Look({ 0.0, -1.0, 0.35 }, vtkBoundingBox(-1.4, 1.4, -0.3, 0.3, -0.5, 0.5));
 }
 
@@ -142,10 +148,10 @@ void BuildBeamsCube(gallery::Stage& stage)
   {
     const vtkVector3d center(0.0, 0.0, height);
     beams.push_back(
-      gallery::MakeBeam(center + vtkVector3d(1.6, -0.2, 0.75), center, 0.2, 6.5, color));
+      gallery::MakeBeam(center + vtkVector3d(1.6, -0.2, 0.75), center, 0.2, 8.0, color));
     height -= 0.24;
   }
-  const TranslucentBox cube = { { 0.84, 0.84, 0.84 }, 1.7, 25.0, 1.8, 0.5 };
+  const TranslucentBox cube = { { 0.84, 0.84, 0.84 }, 2.4, 25.0, 1.2, 0.4 };
   AddTranslucentBox(stage, cube, beams)
     .Look({ 0.1, -1.0, 0.25 }, vtkBoundingBox(-0.72, 0.72, -0.3, 0.3, -0.6, 0.6));
 }
@@ -196,28 +202,28 @@ void BuildBeamSoft(gallery::Stage& stage)
   stage.SetColumns(1);
   const vtkColor3d white(1.0, 1.0, 1.0);
   vtkSmartPointer<vtkSpatialPrimitive> air =
-    gallery::MakeBox({ -0.94, -0.5, -0.5 }, { 1.7, 0.5, 0.5 }, white);
-  air->SetDensity(0.3);
+    gallery::MakeBox({ -0.94, -0.5, -0.5 }, { 2.2, 0.5, 0.5 }, white);
+  air->SetDensity(0.4);
   air->SetEdgeWidth(0.2);
   vtkSmartPointer<vtkSpatialPrimitive> solid = gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white);
   solid->SetEdgeWidth(0.04);
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(gallery::Unite({ gallery::Place(solid, POSITION, DEGREES), air }),
-      vtkBoundingBox(-0.94, 1.7, -0.5, 0.5, -0.5, 0.5), 110);
+      vtkBoundingBox(-0.94, 2.2, -0.5, 0.5, -0.5, 0.5), 130);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.55);
+  opacity->AddPoint(255.0, 0.45);
   vtkSmartPointer<vtkVolumeProperty> medium = MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.03);
   medium->SetSpecular(0.0);
-  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 18.0);
+  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -5.0, 0.0, 0.0 }, 25.0);
   lamp->SetDiffuseColor(1.0, 0.86, 0.6);
   // The maximum surface gradient makes scattering nearly isotropic, so that edges are not shaded.
   gallery::SoftShadowPair pair =
-    gallery::AddSoftShadowPair(stage, image, medium, { lamp }, 0.4, 1.0, 192);
-  pair.UseBackdrop({ 0.13, 0.16, 0.20 }, { 0.04, 0.05, 0.07 });
+    gallery::AddSoftShadowPair(stage, image, medium, { lamp }, 0.45, 1.0, 192);
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
   {
+    UseDarkness(*panel);
     panel->Add(MakeScreen());
     // With fewer samples, the edges of the holes leave streaks in the soft beams.
     gallery::UseSceneShadows(*panel, panel == &pair.Soft ? 64 : 1);
@@ -230,7 +236,7 @@ void BuildBeamSoft(gallery::Stage& stage)
     vtkVolume::SafeDownCast(pair.Hard.GetRenderer()->GetVolumes()->GetItemAsObject(0)));
   hard->SetSliceSpacing(0.2 * image->GetSpacing()[0]);
   hard->SetLightBufferSize(384);
-  pair.Look({ 0.25, -1.0, 0.25 }, vtkBoundingBox(-0.85, 1.5, -0.1, 0.1, -0.36, 0.36));
+  pair.Look({ 0.25, -1.0, 0.25 }, vtkBoundingBox(-0.8, 1.7, -0.1, 0.1, -0.36, 0.36));
 }
 
 const gallery::SceneRegistration beamSoft({ "beam-soft", "2.38",

@@ -43,11 +43,13 @@ void Build(gallery::Stage& stage)
       { { -2.0, 2.2, -1.2, 1.9, -0.1, 0.8 } }, 240, gallery::Scattering::FULL, 70.0);
   gallery::Scatter(volume, gallery::Scattering::FULL, 0.2, 128);
   panel.Add(volume);
+  interlume::Model airplane = interlume::MakeAirplane();
+  airplane.front().Color = airplane.back().Color = { { 0.80, 0.16, 0.10 } };
   gallery::AddModel(panel,
-    interlume::Move(interlume::MakeAirplane(), { { -0.35, -0.2, 0.8 } }, { { 14.0, -4.0, -24.0 } }),
-    0.8, 0.5);
+    interlume::Move(airplane, { { -0.35, -0.2, 0.8 } }, { { 14.0, -4.0, -24.0 } }), 0.5, 0.5);
   gallery::UseSceneShadows(panel);
-  gallery::UseSky(panel, { -0.9, -0.35, 0.8 }, 0.55);
+  // The skylight comes from the camera, so that only the shadow of sunlight is visible.
+  gallery::UseSky(panel, { -0.9, -0.35, 0.8 }, { 0.12, -1.0, 0.62 }, 0.255, 0.11);
   gallery::UseBackdrop(panel, { 0.10, 0.22, 0.40 }, { 0.36, 0.54, 0.74 });
   panel.Frame(vtkBoundingBox(-1.05, 1.05, -0.1, 0.1, -0.1, 0.98));
 }

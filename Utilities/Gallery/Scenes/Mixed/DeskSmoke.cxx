@@ -10,6 +10,7 @@
 
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkShadowedScenePass.h"
 #include "vtkSpatialTurbulence.h"
 
 namespace
@@ -34,7 +35,7 @@ ModelPart MakeBlock(
 /// Returns a floor, walls and a ceiling, with a window in the wall at +y.
 Model MakeShell()
 {
-  const vtkColor3d plaster = gallery::PlasterColor();
+  const vtkColor3d plaster(0.94, 0.82, 0.66);
   const vtkColor3d floor(0.62, 0.47, 0.34);
   const vtkColor3d frame(0.52, 0.36, 0.24);
   Model shell = { MakeBlock({ { -1.3, -1.1, -0.06 } }, { { 1.3, 1.06, 0.0 } }, floor),
@@ -64,12 +65,12 @@ vtkSmartPointer<vtkVolume> MakeSmoke()
   smoke->SetModeToModulation();
   smoke->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
   smoke->SetFrequency(2.4);
-  smoke->SetAmplitude(1.6);
+  smoke->SetAmplitude(1.3);
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(smoke, vtkBoundingBox(-1.23, 1.23, -1.1, 0.99, 0.01, 1.57), 130);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(70.0, 0.05);
+  opacity->AddPoint(70.0, 0.1);
   opacity->AddPoint(255.0, 0.75);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.05);
@@ -90,9 +91,10 @@ void Build(gallery::Stage& stage)
   gallery::AddModel(panel, Move(MakeChair(), { { -0.42, -0.1, 0.0 } }, { { 0.0, 0.0, -38.0 } }));
   panel.Add(MakeSmoke());
   gallery::UseSceneShadows(panel);
-  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 6.0);
+  vtkShadowedScenePass::SafeDownCast(panel.GetRenderer()->GetPass())->SetDepthMapResolution(4096);
+  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ 0.45, 1.0, 0.75 }, 4.8);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);
-  panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.5) });
+  panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.45) });
   // The background is the sky, which is visible only through the window.
   panel.SetBackground(vtkColor3d(0.74, 0.82, 0.92));
   panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));

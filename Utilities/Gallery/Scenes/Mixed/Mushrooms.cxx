@@ -19,7 +19,7 @@ Model MakeMushrooms()
   Model all =
     Move(MakeMushroom(1.0, 0.48, 0.06), { { -0.12, 0.12, 0.0 } }, { { 0.0, 0.0, 200.0 } });
   Append(
-    all, Move(MakeMushroom(0.64, 0.36, 0.18), { { 0.52, -0.16, 0.0 } }, { { 0.0, 0.0, -20.0 } }));
+    all, Move(MakeMushroom(0.64, 0.36, 0.18), { { 0.46, -0.2, 0.0 } }, { { 0.0, 0.0, -38.0 } }));
   return Append(
     all, Move(MakeMushroom(0.4, 0.2, 0.2), { { -0.5, -0.42, 0.0 } }, { { 0.0, 0.0, 215.0 } }));
 }
@@ -32,7 +32,7 @@ vtkSmartPointer<vtkImageData> SampleGround()
   ground->SetNumberOfOctaves(4);
   ground->SetFrequency(3.0);
   ground->SetAmplitude(0.05);
-  return gallery::Sample(ground, vtkBoundingBox(-1.95, 1.9, -1.35, 1.25, -0.12, 0.08), 300, 0.8);
+  return gallery::Sample(ground, vtkBoundingBox(-1.95, 1.9, -1.6, 1.25, -0.12, 0.08), 300, 0.8);
 }
 
 /// Adds the polygonal mushrooms and the ground, a volume in \a image, with mutual shadows.
@@ -54,14 +54,16 @@ void AddMushrooms(
 
 gallery::Lights MakeLights()
 {
-  return gallery::MakeStudioLights({ -2.4, -2.0, 3.4 }, 1.05);
+  gallery::Lights lights = gallery::MakeStudioLights({ -1.6, -2.2, 3.6 }, 1.05);
+  lights.back()->SetIntensity(0.45);
+  return lights;
 }
 
 void Build(gallery::Stage& stage)
 {
   gallery::Panel& panel = stage.AddPanel("");
   AddMushrooms(panel, SampleGround(), MakeLights(), 1);
-  panel.Frame(vtkBoundingBox(-0.88, 1.0, -0.1, 0.1, -0.38, 1.06));
+  panel.Frame(vtkBoundingBox(-0.78, 1.0, -0.1, 0.1, -0.4, 1.04));
 }
 
 void BuildSoft(gallery::Stage& stage)
@@ -70,15 +72,16 @@ void BuildSoft(gallery::Stage& stage)
   for (const bool isSoft : { false, true })
   {
     gallery::Panel& panel = stage.AddPanel(isSoft ? "soft shadows" : "hard shadows");
-    AddMushrooms(panel, ground, isSoft ? gallery::MakeDiskLights(MakeLights(), 1.3) : MakeLights(),
-      isSoft ? 16 : 1);
-    panel.Frame(vtkBoundingBox(-0.8, 0.98, -0.1, 0.1, -0.16, 1.15));
+    AddMushrooms(panel, ground, isSoft ? gallery::MakeDiskLights(MakeLights(), 1.0) : MakeLights(),
+      isSoft ? 40 : 1);
+    panel.Frame(vtkBoundingBox(-0.84, 0.98, -0.1, 0.1, -0.36, 1.06));
   }
 }
 
 const gallery::SceneRegistration registration({ "mushrooms", "2.43", "The shadows of mushrooms",
-  "Three polygonal mushrooms on bumpy ground, which is a volume. Caps shade their own stems and "
-  "gills, and the shadows of all mushrooms follow the ground.",
+  "Three polygonal mushrooms on bumpy ground, which is a volume. Caps shade their own stems, and "
+  "the "
+  "shadows of all mushrooms follow the ground.",
   {}, &Build });
 const gallery::SceneRegistration softRegistration(
   { "mushrooms-soft", "2.48", "Hard and soft shadows of mushrooms",

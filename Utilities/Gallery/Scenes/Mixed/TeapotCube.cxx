@@ -10,6 +10,7 @@
 
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkShadowedScenePass.h"
 
 namespace
 {
@@ -29,10 +30,13 @@ void Build(gallery::Stage& stage)
   // The maximum surface gradient makes scattering nearly isotropic, so that edges are not shaded.
   panel.Add(gallery::MakeSlicedVolume(image, medium, 1.0));
   gallery::AddModel(panel,
-    interlume::Move(interlume::MakeTeapot(), { { 0.0, 0.0, 0.005 } }, { { 0.0, 0.0, 12.0 } }));
+    interlume::Move(interlume::MakeTeapot(), { { 0.0, 0.0, 0.005 } }, { { 0.0, 0.0, 42.0 } }));
   gallery::AddGround(panel, { { 0.0, 0.0, -0.02 } }, 2.4, 1.0, { { 0.86, 0.78, 0.68 } });
   gallery::UseSceneShadows(panel);
-  panel.SetLights({ gallery::MakePointLight({ -2.2, -0.9, 4.0 }, 1.08),
+  auto* pass = vtkShadowedScenePass::SafeDownCast(panel.GetRenderer()->GetPass());
+  pass->SetDepthMapResolution(4096);
+  pass->SetDepthBias(3.0);
+  panel.SetLights({ gallery::MakePointLight({ -2.8, -2.0, 3.2 }, 1.25),
     gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.25) });
   gallery::UseBackdrop(panel, { 0.84, 0.80, 0.74 }, { 0.34, 0.34, 0.40 });
   panel.Frame(vtkBoundingBox(-1.15, 1.25, -0.1, 0.1, -0.45, 1.42));
@@ -40,8 +44,8 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "teapot-cube", "2.45", "A teapot within a translucent cube",
-    "The teapot consists of polygons, the cube around it is a volume. The spout and the handle "
-    "cast shadows on the pot, and the teapot's shadow extends through the translucent medium to "
-    "the ground.",
+    "The teapot consists of polygons, the cube around it is a volume. The handle casts its "
+    "shadow on the pot, and the pot on the spout. The teapot's shadow extends through the "
+    "translucent medium to the ground.",
     {}, &Build });
 }

@@ -76,7 +76,9 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
   {
     interval->SetGenerateBoundary(boundary.Kind, true);
   }
-  stage.Extract(interval, MakeDeltaWingVortices(2));
+  vtkSmartPointer<vtkDeltaWingSource> vortices = MakeDeltaWingVortices(2);
+  vortices->SetDimensions(150, 170, 70);
+  stage.Extract(interval, vortices);
   for (const ShownBoundary& boundary : boundaries)
   {
     Panel& panel = stage.AddPanel(boundary.Caption, { -0.85, -0.25, 1.0 });
@@ -88,19 +90,19 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
 
 void BuildTimeDelta(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddTimePanel(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 15.0);
+  gallery::Panel& panel = gallery::AddTimePanel(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 11.0);
   panel.SetBackground({ 0.02, 0.035, 0.08 });
-  panel.Add(MakeDeltaWing({ 0.2, 0.23, 0.3 }));
-  panel.LookFrom({ -0.6, -0.8, 0.9 }, { 0.0, 0.0, 1.0 });
+  panel.Add(MakeDeltaWing({ 0.14, 0.16, 0.22 }));
+  panel.LookFrom({ -0.3, -0.5, 1.0 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration timeDelta(
   { "time-delta", "3.22", "Vortices above a delta wing over six time steps",
     "The region where the pressure loss in two vortices, which break down to spirals, is above 0.4 "
     "at any time from the first to the last of six steps. Colors of all times are added: blue "
-    "is covered early, orange to red late, and white all the time. The spirals rotate, "
-    "and both breakdowns end where they began. An analytic model replaces the data of the "
-    "dissertation.",
+    "is covered early, orange to red late, and gray to white all the time, brighter where a vortex "
+    "is thick. The spirals rotate, and both breakdowns end where they began. An analytic model "
+    "replaces the data of the dissertation.",
     {}, &BuildTimeDelta });
 
 void BuildTimeEndVolumes(gallery::Stage& stage)

@@ -53,10 +53,11 @@ vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtk
 void BuildTimeCylinder(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.9, 6, 9.0);
-  gallery::Panel& panel = gallery::AddTimePanel(stage, wake, LOWER, UPPER, 1.9);
+  gallery::Panel& panel = gallery::AddTimePanel(stage, wake, LOWER, UPPER, 2.1);
   panel.SetBackground({ 0.03, 0.025, 0.05 });
   panel.Add(MakeCylinder(wake, { 0.3, 0.31, 0.33 }));
   LookAtWake(panel);
+  panel.Frame(vtkBoundingBox(-0.5, 5.9, -0.5, 0.5, 0.2, 11.8));
 }
 
 const gallery::SceneRegistration timeCylinder(
@@ -70,7 +71,8 @@ const gallery::SceneRegistration timeCylinder(
 
 void BuildTimePriority(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.6, 2, 12.0);
+  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.6, 2, 14.0);
+  wake->SetDimensions(110, 110, 64);
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
   interval->SetInterval(0, LOWER, UPPER);
   interval->GenerateTetrahedraOff();
@@ -90,7 +92,7 @@ void BuildTimePriority(gallery::Stage& stage)
   for (gallery::Panel* panel : { &later, &earlier })
   {
     vtkSmartPointer<vtkVolume> volume =
-      gallery::MakeVolumeOfIntervals(both, { { yellow, 6.0 }, { red, 6.0 } });
+      gallery::MakeVolumeOfIntervals(both, { { yellow, 2.2 }, { red, 2.2 } });
     vtkTimeWeightedTetrahedraMapper* mapper = gallery::GetMapper(volume);
     mapper->SetBlendModeToPriority();
     mapper->SetLayerPriority(0, panel == &later ? 0.0 : 2.0);

@@ -32,7 +32,7 @@ vtkSmartPointer<vtkActor> MakeEdges(vtkUnstructuredGrid* mug)
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();
   edges->Update();
-  vtkSmartPointer<vtkActor> actor = gallery::MakeActor(edges->GetOutput(), gallery::OutlineColor());
+  vtkSmartPointer<vtkActor> actor = gallery::MakeActor(edges->GetOutput(), gallery::TextColor());
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetLineWidth(2.0);
   return actor;
@@ -51,8 +51,7 @@ void Build(gallery::Stage& stage)
     vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, mug);
 
     gallery::Panel& panel = stage.AddPanel(array);
-    panel.SetBackground(gallery::DarkBackground());
-    vtkSmartPointer<vtkVolume> volume = gallery::MakeTimeColoredVolume(tetrahedra, times, 12.0);
+    vtkSmartPointer<vtkVolume> volume = gallery::MakeTimeColoredVolume(tetrahedra, times, 16.0);
     panel.Add(volume);
     panel.Add(MakeEdges(mug->GetOutput()));
     panel.LookFrom({ 0.3, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
@@ -65,7 +64,7 @@ void Build(gallery::Stage& stage)
 const gallery::SceneRegistration registration(
   { "time-mug", "3.25", "Heat that spreads in a mug over eleven time steps",
     "Simulation data: the region where two fields in the wall of a mug, heated at its bottom, are "
-    "from 0.3 to 0.5, over all times between eleven steps, from blue (first) to red (last). The "
-    "diffused quantity rises evenly. The convected quantity is carried to one side, where it "
-    "reaches the rim early.",
+    "from 0.3 to 0.5, over all times between eleven steps, from blue (first) to red (last). Colors "
+    "of overlapping times are mixed. The diffused quantity rises evenly. The convected quantity "
+    "climbs almost to the rim at the left early and stays there at all times, whose mean is green.",
     { "mug.ex2" }, &Build });

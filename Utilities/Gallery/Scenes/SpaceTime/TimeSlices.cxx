@@ -6,15 +6,18 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 
+#include "vtkActor.h"
 #include "vtkAnalyticFieldSource.h"
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
+#include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeVaryingIntervalVolume.h"
@@ -101,13 +104,12 @@ vtkSmartPointer<vtkPolyData> ShadeByField(
 void Build(gallery::Stage& stage)
 {
   const std::array<double, 3> times = { { 0.0, 0.25, 0.5 } };
-  const std::array<const char*, 3> captions = { { "time step 0", "between, at 0.25",
-    "time step 0.5" } };
+  const std::array<const char*, 3> captions = { { "first step", "midway", "second step" } };
   vtkNew<vtkAnalyticFieldSource> wave;
   wave->SetFieldToWave();
   // The wave is linear in z and changes slowly along y, so it needs many points only along x.
-  wave->SetDimensions(320, 12, 8);
-  wave->SetBounds(-3.4, 3.4, -0.65, 0.65, -0.7, 0.7);
+  wave->SetDimensions(320, 8, 8);
+  wave->SetBounds(-3.4, 3.4, -0.4, 0.4, -0.7, 0.7);
   wave->SetTimeRange(times.front(), times.back());
   wave->SetNumberOfTimeSteps(2);
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
@@ -117,24 +119,32 @@ void Build(gallery::Stage& stage)
   stage.Extract(interval, wave);
   vtkUnstructuredGrid* simplices =
     vtkUnstructuredGrid::SafeDownCast(interval->GetOutputDataObject(2));
+  // Upright at a crest of the first step, in front of the sheet.
+  vtkNew<vtkCubeSource> marker;
+  marker->SetBounds(0.09, 0.11, -0.43, -0.41, -0.65, 0.65);
+  marker->Update();
   stage.SetColumns(1);
   for (std::size_t i = 0; i < times.size(); ++i)
   {
-    gallery::Panel& panel = stage.AddPanel(captions[i], { 0.08, -1.0, 0.65 });
-    panel.Frame(vtkBoundingBox(-3.4, 3.4, -0.7, 0.7, -0.62, 0.62));
+    gallery::Panel& panel = stage.AddPanel(captions[i], { 0.08, -1.0, 0.4 });
+    panel.Frame(vtkBoundingBox(-3.4, 3.4, -0.4, 0.4, -0.55, 0.55));
     panel.SetAmbientOcclusion(0.0);
     vtkNew<vtkSimplexTimeSlice> slice;
     slice->SetTime(times[i]);
     vtkSmartPointer<vtkPolyData> sheet =
       ShadeByField(gallery::MakeSurface(stage.Extract(slice, simplices)), wave, times[i]);
-    panel.Add(gallery::MakeActor(sheet, gallery::IntervalColor(static_cast<int>(i) + 1)));
+    panel.Add(gallery::MakeActor(marker->GetOutput(), gallery::TextColor()));
+    vtkSmartPointer<vtkActor> actor =
+      gallery::MakeActor(sheet, gallery::IntervalColor(static_cast<int>(i) + 1));
+    actor->GetProperty()->SetAmbient(0.35);
+    panel.Add(actor);
   }
 }
 
 const gallery::SceneRegistration registration(
   { "time-slices", "3.11", "One interval at two time steps and between them",
     "A sheet that follows a traveling wave. Its 4-simplices between two time steps, sliced at the "
-    "first step, midway and at the second step: the crests move to the right. Slices at any time "
-    "between the steps need no new extraction.",
+    "first step, midway and at the second step. A post marks a crest of the first step, from which "
+    "the crests move to the right. Slices at any time between the steps need no new extraction.",
     {}, &Build });
 }

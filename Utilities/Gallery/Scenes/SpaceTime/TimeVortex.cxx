@@ -16,24 +16,24 @@ namespace
 {
 /// Adds a panel with the vortex tubes over the time steps \a times, which are evenly spaced.
 void Draw(gallery::Stage& stage, const std::vector<double>& times, double lower, double extinction,
-  const vtkVector3d& from)
+  const vtkVector3d& from, const vtkVector3d& up)
 {
   vtkNew<vtkAnalyticFieldSource> vortices;
   vortices->SetDimensions(96, 96, 96);
   vortices->SetTimeRange(times.front(), times.back());
   vortices->SetNumberOfTimeSteps(static_cast<int>(times.size()));
-  gallery::AddTimePanel(stage, vortices, lower, 2.0, extinction).LookFrom(from, { 0.0, 0.0, 1.0 });
+  gallery::AddTimePanel(stage, vortices, lower, 2.0, extinction).LookFrom(from, up);
 }
 
 void BuildLate(gallery::Stage& stage)
 {
-  Draw(stage, { 0.1, 0.6, 1.1, 1.6 }, 0.5, 18.0, { 0.3, -1.0, 0.25 });
+  Draw(stage, { 0.3, 0.8, 1.3, 1.8 }, 0.5, 16.0, { 0.3, -1.0, 0.25 }, { 0.0, 0.0, 1.0 });
 }
 
 void BuildAll(gallery::Stage& stage)
 {
   const std::vector<double> times = { 0.0, 0.5, 1.0, 1.5, 2.0 };
-  Draw(stage, times, 0.5, 11.0, { 0.3, 1.0, 0.4 });
+  Draw(stage, times, 0.5, 12.0, { 0.51, -0.23, -0.83 }, { -0.12, -0.97, 0.19 });
   vtkNew<vtkTemporalColorTransferFunction> colors;
   colors->SetTimes(static_cast<int>(times.size()), times.data());
   gallery::BalanceColors(colors);

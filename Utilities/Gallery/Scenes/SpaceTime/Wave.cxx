@@ -39,8 +39,9 @@ vtkSmartPointer<vtkAnalyticFieldSource> MakeWave(int steps, double reach)
 
 void BuildWaveInTime(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddTimePanel(stage, MakeWave(5, 1.25), -0.15, 0.15, 1.1);
+  gallery::Panel& panel = gallery::AddTimePanel(stage, MakeWave(5, 1.4), -0.15, 0.15, 1.1);
   panel.UseParallelProjection();
+  panel.Frame(vtkBoundingBox(-1.05, 1.05, -0.1, 0.1, -0.5, 0.5));
   panel.LookFrom({ 0.25, -1.0, 0.05 }, { 0.0, 0.0, 1.0 });
 }
 
@@ -56,8 +57,9 @@ void BuildTimeBoundaries(gallery::Stage& stage)
 {
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
   interval->SetInterval(0, -0.15, 0.15);
-  const std::array<const char*, 4> captions = { { "a   t = 0, f = -0.15", "b   t = 0, f = 0.15",
-    "c   t = 1, f = -0.15", "d   t = 1, f = 0.15" } };
+  const std::array<const char*, 4> captions = { { "lower surface at the first time",
+    "upper surface at the first time", "lower surface at the last time",
+    "upper surface at the last time" } };
   const int count = static_cast<int>(captions.size());
   for (int kind = 0; kind < count; ++kind)
   {
@@ -71,7 +73,7 @@ void BuildTimeBoundaries(gallery::Stage& stage)
     gallery::Panel& panel =
       stage.AddPanel(captions[static_cast<std::size_t>(kind)], { 0.25, -1.0, 0.55 });
     vtkSmartPointer<vtkVolume> volume =
-      gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 1.0);
+      gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 0.5);
     panel.Add(volume);
     panel.Add(
       gallery::MakeActor(gallery::MakeSurface(gallery::MakeTimeBoundary(interval, { kind })),
