@@ -90,8 +90,8 @@ def check_messages(checks, source):
     with warnings_of(grouped) as messages:
         grouped.UpdatePipeline()
     checks.one_message(messages, "from 293.15 to 913.15", "an interval of a group outside the range")
-    for name, values, part in (("Intervals", [400, 500, 600], "1 of 2 values"),
-                               ("Criteria", ["AsH3", "0.1"], "2 of 3 values")):
+    for name, values, part in (("Intervals", [400, 500, 600], "1 of its 2 values"),
+                               ("Criteria", ["AsH3", "0.1"], "2 of its 3 values")):
         volume = interval_volume(source, "Temp", [(400, 500)])
         fetch(volume)
         domain = volume.SMProxy.GetProperty(name).FindDomain("vtkSMCompleteRowsDomain")
