@@ -95,7 +95,7 @@ void CheckErrors(Check& check)
     { "Stream surface 0",
       [](vtkFlowVolume* v, vtkImageData*) { v->SetStreamSurface(0, INFINITY); } },
     { "Time surface 1", [](vtkFlowVolume* v, vtkImageData*) { v->SetTimeSurface(1, INFINITY); } },
-    { "10001 intervals",
+    { "10001 parts",
       [](vtkFlowVolume* v, vtkImageData*)
       {
         v->SetInterval(0, 0.0, 1.0);
