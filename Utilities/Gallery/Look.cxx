@@ -35,8 +35,9 @@ std::vector<vtkColor3d> ControlPoints(Map map)
     { 0.722, 0.816, 0.976 }, { 0.865, 0.865, 0.865 }, { 0.957, 0.769, 0.678 },
     { 0.957, 0.596, 0.478 }, { 0.871, 0.376, 0.302 }, { 0.706, 0.016, 0.150 } };
 }
+}
 
-vtkSmartPointer<vtkLight> MakeLight(double x, double y, double z, double intensity)
+vtkSmartPointer<vtkLight> MakeCameraLight(double x, double y, double z, double intensity)
 {
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToCameraLight();
@@ -44,7 +45,6 @@ vtkSmartPointer<vtkLight> MakeLight(double x, double y, double z, double intensi
   light->SetFocalPoint(0.0, 0.0, 0.0);
   light->SetIntensity(intensity);
   return light;
-}
 }
 
 vtkColor3d Background()
@@ -94,8 +94,8 @@ void ApplyLook(vtkRenderer* renderer)
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->AutomaticLightCreationOff();
   renderer->RemoveAllLights();
-  renderer->AddLight(MakeLight(-0.7, 0.9, 1.0, 0.80));
-  renderer->AddLight(MakeLight(1.2, 0.2, 0.9, 0.45));
-  renderer->AddLight(MakeLight(0.0, 0.0, 1.0, 0.24));
+  renderer->AddLight(MakeCameraLight(-0.7, 0.9, 1.0, 0.80));
+  renderer->AddLight(MakeCameraLight(1.2, 0.2, 0.9, 0.45));
+  renderer->AddLight(MakeCameraLight(0.0, 0.0, 1.0, 0.24));
 }
 }

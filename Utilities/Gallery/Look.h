@@ -6,6 +6,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkSmartPointer.h"
 
+class vtkLight;
 class vtkRenderer;
 
 /**
@@ -46,6 +47,12 @@ enum class Map
  * Returns a color map over [lower, upper].
  */
 vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(Map map, double lower, double upper);
+
+/**
+ * Returns a light that moves with the camera. The position is in camera coordinates, and the light
+ * points at the focal point of the camera.
+ */
+vtkSmartPointer<vtkLight> MakeCameraLight(double x, double y, double z, double intensity);
 
 /**
  * Sets the background and the lights of \a renderer: a key light from the upper left, a weaker fill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gallery/Scenes/Flow/FlowScene.h"
 
+#include "Gallery/Look.h"
 #include "Gallery/Panel.h"
 #include "Gallery/Props.h"
 #include "Gallery/Volumes.h"
@@ -30,7 +31,6 @@
 #include "vtkTubeFilter.h"
 
 #include <cmath>
-#include <utility>
 
 namespace gallery
 {
@@ -242,19 +242,8 @@ vtkSmartPointer<vtkActor> MakePillar(
 
 void LightFromAllSides(Panel& panel)
 {
-  std::vector<vtkSmartPointer<vtkLight>> lights;
-  for (const auto& [position, intensity] :
-    { std::pair(vtkVector3d(-0.7, 0.9, 1.0), 0.6), std::pair(vtkVector3d(1.2, 0.2, 0.9), 0.35),
-      std::pair(vtkVector3d(0.0, -1.0, 0.7), 0.5), std::pair(vtkVector3d(0.0, 0.0, 1.0), 0.5) })
-  {
-    auto light = vtkSmartPointer<vtkLight>::New();
-    light->SetLightTypeToCameraLight();
-    light->SetPosition(position.GetData());
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-    light->SetIntensity(intensity);
-    lights.push_back(light);
-  }
-  panel.SetLights(lights);
+  panel.SetLights({ MakeCameraLight(-0.7, 0.9, 1.0, 0.6), MakeCameraLight(1.2, 0.2, 0.9, 0.35),
+    MakeCameraLight(0.0, -1.0, 0.7, 0.5), MakeCameraLight(0.0, 0.0, 1.0, 0.5) });
 }
 
 void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number)

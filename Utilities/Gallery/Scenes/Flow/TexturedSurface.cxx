@@ -19,11 +19,6 @@
 
 namespace gallery
 {
-MappedFlow MakeTornado(double time)
-{
-  return MakeTornado(time, 1);
-}
-
 MappedFlow MakeTornado(double time, int fineness)
 {
   vtkNew<vtkAnalyticFlowSource> tornado;

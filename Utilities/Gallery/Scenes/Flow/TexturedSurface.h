@@ -39,8 +39,7 @@ struct MappedFlow
  * inflow value is the height on the cylinder. Stream surfaces are funnels. \a fineness multiplies
  * the number of samples along each axis.
  */
-MappedFlow MakeTornado(double time);
-MappedFlow MakeTornado(double time, int fineness);
+MappedFlow MakeTornado(double time, int fineness = 1);
 
 /**
  * Returns the stream surface with inflow value \a inflow, between the advection times \a start and
