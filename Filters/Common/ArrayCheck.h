@@ -106,17 +106,16 @@ inline Error FindCellError(
 }
 ///@}
 
-/// Returns an error unless \a association is vtkDataObject::FIELD_ASSOCIATION_POINTS.
-inline Error FindAssociationError(vtkAbstractArray* array, int association)
+/// Returns an error unless \a array is a valid point or cell array.
+inline Error FindError(vtkDataSet* data, vtkAbstractArray* array, int association, int components)
 {
-  if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
-    return {};
+    return FindShapeError(array, components, data->GetNumberOfCells(), "cell");
   }
-  return Describe(array) + " is not a point array" +
-    (association == vtkDataObject::FIELD_ASSOCIATION_CELLS
-        ? ": it is in the cells. Apply vtkCellDataToPointData (Cell Data to Point Data) first"
-        : "; values are needed at the points");
+  return association == vtkDataObject::FIELD_ASSOCIATION_POINTS
+    ? FindPointError(data, array, components)
+    : Describe(array) + " is neither a point array nor a cell array";
 }
 
 ///@{

@@ -2,6 +2,7 @@
 #include "vtkFlowCriticalPoints.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/CellArrayConversion.h"
 #include "Common/Error.h"
 #include "Common/ReportValue.h"
 #include "Fields/FieldVectors.h"
@@ -79,11 +80,13 @@ int Classify(const double eigenvalues[6])
   return types[outgoing] + (isSpiral ? 1 : 0);
 }
 
-void SetReport(vtkInterlumeReport* report, const interlume::ZeroSearch::Counts& counts = {})
+void SetReport(vtkInterlumeReport* report, const interlume::ZeroSearch::Counts& counts = {},
+  const std::vector<std::string>& converted = {})
 {
   interlume::ReportValue::Set(report,
     { { "ZeroCells", counts.ZeroCells }, { "DegenerateCells", counts.DegenerateCells },
-      { "NonFiniteCells", counts.NonFiniteCells }, { "FillValueCells", counts.FillValueCells } });
+      { "NonFiniteCells", counts.NonFiniteCells }, { "FillValueCells", counts.FillValueCells },
+      { "ConvertedCellArrays", converted } });
 }
 }
 
@@ -115,6 +118,13 @@ int vtkFlowCriticalPoints::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkFlowCriticalPoints::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  interlume::CellArrayConversion::RequestGhostCells(this, inputs, outputs);
+  return 1;
+}
+
 int vtkFlowCriticalPoints::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -132,10 +142,16 @@ int vtkFlowCriticalPoints::RequestData(
     }
     return 1;
   }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
-  if (const interlume::Error error = interlume::FieldVectors::Check(
-        input, vectors, association, this->GetInputArrayInformation(0)))
+  interlume::CellArrayConversion conversion(
+    this,
+    [this](vtkDataSet* data, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, data, association); },
+    3);
+  const interlume::CellArrayConversion::Selection selection = conversion.Select(input);
+  input = selection.Data;
+  vtkDataArray* vectors = vtkDataArray::SafeDownCast(selection.Array);
+  if (const interlume::Error error =
+        interlume::FieldVectors::Check(selection, this->GetInputArrayInformation(0)))
   {
     vtkErrorMacro(<< error);
     return 1;
@@ -147,7 +163,7 @@ int vtkFlowCriticalPoints::RequestData(
     return interlume::AbortCheck::Leave(outputs);
   }
   const interlume::ZeroSearch::Counts& counts = search.GetCounts();
-  SetReport(this->Report, counts);
+  SetReport(this->Report, counts, conversion.GetNames());
   for (const std::string& skipped :
     { search.DescribeFillValues(vectors->GetName()), search.DescribeNonFinite(vectors->GetName()) })
   {

@@ -24,8 +24,8 @@
  * cells with vectors that are not finite.
  *
  * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or vtkUnstructuredGrid of tetrahedra,
- * voxels, hexahedra, wedges and pyramids, with point vectors of three components; by default the
- * active vectors.
+ * voxels, hexahedra, wedges and pyramids, with vectors of three components; by default the active
+ * vectors. Cell vectors are averaged at the points, as in vtkImplicitFlowField.
  *
  * Output: vertices with the point arrays `CriticalPointType` (int, the active scalars),
  * `Eigenvalues` (double, 6 components: three complex numbers by descending real part), `Jacobian`
@@ -77,7 +77,8 @@ public:
    * - ZeroCells: cells in which the field is 0 throughout,
    * - DegenerateCells: cells with zeros that are not isolated,
    * - NonFiniteCells: cells skipped because vectors are not finite,
-   * - FillValueCells: cells skipped because a point has fill values.
+   * - FillValueCells: cells skipped because a point has fill values,
+   * - ConvertedCellArrays: name of the vectors if they are a cell array.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -86,6 +87,7 @@ protected:
   ~vtkFlowCriticalPoints() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/Batches.h"
+#include "Common/CellArrayConversion.h"
 #include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
@@ -117,10 +118,18 @@ int vtkFlowLIC::RequestData(
   {
     return 1;
   }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* vectors = this->GetInputArrayToProcess(0, field, association);
-  interlume::Error error = interlume::FieldVectors::CheckVectors(
-    field, vectors, association, this->GetInputArrayInformation(0));
+  interlume::CellArrayConversion conversion(
+    this,
+    [this](vtkDataSet* data, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, data, association); },
+    3);
+  const interlume::CellArrayConversion::Selection selection = conversion.Select(field);
+  points = points == field ? selection.Data : points;
+  field = selection.Data;
+  report.ConvertedCellArrays = conversion.GetNames();
+  vtkDataArray* vectors = vtkDataArray::SafeDownCast(selection.Array);
+  interlume::Error error =
+    interlume::FieldVectors::CheckVectors(selection, this->GetInputArrayInformation(0));
   error = error.Then([&] { return this->FindSteps(points, report); });
   output->ShallowCopy(points);
   this->SetProgressText("Convolving noise along streamlines");

@@ -34,8 +34,8 @@ struct FlowLICReport;
  * Input port 0: any dataset, at whose points the LIC is computed. Optional input port 1: the field,
  * as vtkImageData, vtkRectilinearGrid, vtkStructuredGrid or vtkUnstructuredGrid with
  * three-dimensional cells. Without an input on port 1, the input of port 0 is the field. The
- * vectors are a point array of the field: SetInputArrayToProcess(0, ...), by default the active
- * vectors.
+ * vectors are an array of the field: SetInputArrayToProcess(0, ...), by default the active vectors.
+ * Cell vectors are averaged at the points, as in vtkImplicitFlowField.
  *
  * Output: the input of port 0 with the point array `LIC` (float, 0 to 1) as active scalars. `LIC`
  * is 0 at points outside the field. Where the velocity is 0 or not finite, it is the scaled noise.
@@ -134,7 +134,8 @@ public:
    * - Steps: steps in each direction of a complete streamline,
    * - StepLength, Length, NoiseScale: lengths in use, with automatic values resolved,
    * - FillValues: points of the field with vectors that look like fill values,
-   * - NonFiniteVectors: points of the field's cells with vectors that are NaN or infinite.
+   * - NonFiniteVectors: points of the field's cells with vectors that are NaN or infinite,
+   * - ConvertedCellArrays: name of the vectors if they are a cell array.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -5,6 +5,7 @@
 #include "Checkpoint/FlowFingerprint.h"
 #include "Common/AbortCheck.h"
 #include "Common/ArrayCheck.h"
+#include "Common/CellArrayConversion.h"
 #include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Fields/FieldInput.h"
@@ -59,6 +60,9 @@ bool IsEnd(int type, bool isBackward)
     ? type == vtkFlowCriticalPoints::SOURCE || type == vtkFlowCriticalPoints::SPIRAL_SOURCE
     : type == vtkFlowCriticalPoints::SINK || type == vtkFlowCriticalPoints::SPIRAL_SINK;
 }
+
+/// Reason why a field is not distributed. Points at the boundary of a piece would lack cells.
+constexpr const char* CellArrayReason = "a cell array is averaged at the points";
 
 /// Returns true for image data, and rectilinear or structured grids.
 bool IsStructured(vtkDataObject* data)
@@ -345,7 +349,7 @@ int vtkImplicitFlowField::RequestUpdateExtent(
 }
 
 bool vtkImplicitFlowField::IsDistributed(
-  vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error) const
+  vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (!this->Controller || this->Controller->GetNumberOfProcesses() < 2)
@@ -377,6 +381,11 @@ bool vtkImplicitFlowField::IsDistributed(
     error =
       this->CriticalPointSpheres ? "CriticalPointSpheres is on" : "InterpolateStreamlines is on";
   }
+  else if (interlume::CellArrayConversion::GetAssociation(this->GetInputArrayInformation(0)) ==
+    vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    error = CellArrayReason;
+  }
   else if (std::any_of(this->Surfaces.begin(), this->Surfaces.end(), isPlacedByVectors))
   {
     error = "a termination surface is placed by the vectors";
@@ -387,11 +396,12 @@ bool vtkImplicitFlowField::IsDistributed(
 struct vtkImplicitFlowField::Execution
 {
   Execution(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
-    const vtkFlowSettings& settings)
+    const vtkFlowSettings& settings, const interlume::CellArrayConversion& conversion)
     : Request(request)
     , Inputs(inputs)
     , Outputs(outputs)
     , Output(vtkDataSet::GetData(outputs))
+    , Conversion(conversion)
     , Input(vtkDataObject::GetData(inputs[0], 0))
     , Options(settings)
   {
@@ -401,6 +411,7 @@ struct vtkImplicitFlowField::Execution
   vtkInformationVector** Inputs;
   vtkInformationVector* Outputs;
   vtkDataSet* Output;
+  interlume::CellArrayConversion Conversion;
   interlume::FieldInput Input;
   interlume::AdvectionOptions Options;
 
@@ -434,7 +445,11 @@ struct vtkImplicitFlowField::Execution
 int vtkImplicitFlowField::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  Execution execution(request, inputs, outputs, *this);
+  Execution execution(request, inputs, outputs, *this,
+    { this,
+      [this](vtkDataSet* input, int& association)
+      { return this->GetInputAbstractArrayToProcess(0, input, association); },
+      3, this->MeanArrays });
   execution.Report.Executions = this->Executions;
   execution.Report.CopyTo(this->Report);
   this->UsedSurfaces.clear();
@@ -453,9 +468,15 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::CheckInput(Execution& execut
 {
   const bool isDistributed =
     this->IsDistributed(execution.Inputs, execution.Outputs, execution.PartitionError);
-  if (isDistributed && this->MustRequestWholeField(execution.Request, execution.PartitionError))
+  execution.Input.SelectVectors(execution.Conversion);
+  if (isDistributed)
   {
-    return Outcome::EMPTY;
+    execution.PartitionError =
+      execution.Conversion.GetNames().empty() ? interlume::Error() : CellArrayReason;
+    if (this->MustRequestWholeField(execution.Request, execution.PartitionError))
+    {
+      return Outcome::EMPTY;
+    }
   }
   execution.Error = this->CheckBlocks(execution.Input);
   if (isDistributed && !execution.PartitionError)
@@ -512,12 +533,16 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& ex
   {
     execution.Samples = this->MakeSamples(execution.Inputs);
   }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  execution.Vectors = this->GetInputArrayToProcess(0, execution.Data, association);
+  vtkInformation* request = this->GetInputArrayInformation(0);
+  const bool isInput = !ranks && execution.Input.GetDataSet().Data;
+  const interlume::CellArrayConversion::Selection vectors = isInput
+    ? execution.Input.GetDataSet()
+    : interlume::CellArrayConversion::Selection{ execution.Data,
+        interlume::CellArrayConversion::Find(request, execution.Data->GetPointData()) };
+  execution.Vectors = vtkDataArray::SafeDownCast(vectors.Array);
   if (!ranks || !ranks->IsEmpty())
   {
-    execution.Error = interlume::FieldVectors::CheckVectors(
-      execution.Data, execution.Vectors, association, this->GetInputArrayInformation(0));
+    execution.Error = interlume::FieldVectors::CheckVectors(vectors, request);
   }
   execution.Error = execution.Combine(execution.Error);
   if (execution.Error)
@@ -591,6 +616,7 @@ int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
     execution.Checkpoint->Remove();
   }
   execution.Report.WholeFieldReason = execution.PartitionError.GetMessage();
+  execution.Report.ConvertedCellArrays = execution.Conversion.GetNames();
   execution.Report.Executions = ++this->Executions;
   execution.Report.CopyTo(this->Report);
   execution.Output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
@@ -627,7 +653,7 @@ bool vtkImplicitFlowField::MustRequestWholeField(vtkInformation* request, interl
   // If the input of a process was modified, its stored error is no longer valid.
   const bool isKnown = this->IsPartitionErrorKnown();
   interlume::RankExchange exchange(this->Controller);
-  error = exchange.FindFirst(isKnown ? this->PartitionError : std::string());
+  error = exchange.FindFirst(isKnown ? interlume::Error(this->PartitionError) : error);
   if (error && !isKnown)
   {
     this->RequestWholeField(request, error);
@@ -713,15 +739,13 @@ void vtkImplicitFlowField::WarnIfNoneReached(const interlume::FlowReport& report
 
 interlume::Error vtkImplicitFlowField::CheckBlocks(const interlume::FieldInput& input)
 {
-  vtkDataArray* first = nullptr;
+  vtkAbstractArray* first = nullptr;
   for (const interlume::FieldInput::Block& block : input.GetBlocks())
   {
-    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkDataArray* vectors = this->GetInputArrayToProcess(0, block.Data, association);
+    vtkAbstractArray* vectors = block.Selection.Array;
     first = first ? first : vectors;
     const interlume::Error error =
-      interlume::FieldVectors::Check(
-        block.Data, vectors, association, this->GetInputArrayInformation(0))
+      interlume::FieldVectors::Check(block.Selection, this->GetInputArrayInformation(0))
         .Then([&] { return interlume::FieldVectors::CompareNames(first, vectors); });
     if (error)
     {
@@ -904,7 +928,11 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, interlume::AdvectionOpt
 {
   vtkNew<vtkFlowCriticalPoints> finder;
   finder->SetInputDataObject(field);
-  finder->SetInputArrayToProcess(0, this->GetInputArrayInformation(0));
+  // The field has the vectors at its points, even if the input has them in its cells.
+  vtkNew<vtkInformation> request;
+  request->Copy(this->GetInputArrayInformation(0));
+  request->Set(vtkDataObject::FIELD_ASSOCIATION(), vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  finder->SetInputArrayToProcess(0, request);
   // Suppresses the warning about a field without critical points.
   vtkNew<vtkCallbackCommand> silence;
   finder->AddObserver(vtkCommand::WarningEvent, silence);

@@ -41,8 +41,9 @@ struct FlowReport;
  *
  * Input port 0: the field, as vtkImageData, vtkRectilinearGrid, vtkStructuredGrid,
  * vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges and pyramids, or a composite dataset
- * of these. The vectors are a point array with three components: SetInputArrayToProcess(0, ...), by
- * default the active vectors. They are interpolated in cells as in VTK. Lower-dimensional cells are
+ * of these. The vectors are an array with three components: SetInputArrayToProcess(0, ...), by
+ * default the active vectors. Cell vectors are averaged at the points of each dataset, see
+ * vtkIntervalAlgorithm. Vectors are interpolated in cells as in VTK. Lower-dimensional cells are
  * skipped and counted. Ghost, hidden and blanked cells are not part of the field, except ghost
  * cells that duplicate cells of other pieces. Optional input port 1: the samples of
  * SAMPLES_OF_INPUT.
@@ -65,9 +66,9 @@ struct FlowReport;
  * - On no-slip walls samples stagnate, and streamlines close to such walls stagnate when their
  *   speed falls below MinimumSpeed. Make the wall a termination surface to get values there.
  * - The filter requests all of port 0 for any output piece, because streamlines may visit all of
- *   it. If each process requests its own piece, the field stays distributed, and streamlines move
- *   between processes (VTK's DIY). Then all processes must execute together, and an abort in one
- *   process aborts all processes.
+ *   it. If each process requests its own piece, the field stays distributed unless it has to be
+ *   averaged at the points, and streamlines move between processes (VTK's DIY). Then all processes
+ * must execute together, and an abort in one process aborts all processes.
  * - The output is identical for any number of threads and processes.
  * - With CheckpointFileName, an aborted or killed execution resumes from its finished streamlines.
  *
@@ -272,7 +273,8 @@ public:
   /**
    * Optional quantities along the path: the largest speed (MaximumSpeed), the length (ArcLength),
    * the time average of the vorticity magnitude (MeanVorticity), and time averages of one-component
-   * point arrays of the field (Mean and the array's name). Default: off, none.
+   * arrays of the field (Mean and the array's name). Arrays are point arrays, or cell arrays if no
+   * point array has the name. Default: off, none.
    */
   vtkSetMacro(ComputeMaximumSpeed, bool);
   vtkGetMacro(ComputeMaximumSpeed, bool);
@@ -391,7 +393,8 @@ public:
    *   (SamplingChecks): mean, 99th percentile, largest,
    * - MaximumError, MinimumSpeed: values in use, with automatic values resolved,
    * - WholeFieldReason: reason why every process holds the whole field; empty if the field is
-   *   distributed or there is only one process.
+   *   distributed or there is only one process,
+   * - ConvertedCellArrays: names of the cell arrays that were averaged at the points.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -416,14 +419,15 @@ private:
   /// Returns true if the field is distributed over the processes. If not, and there are several
   /// processes, sets \a error to the reason.
   bool IsDistributed(
-    vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error) const;
+    vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error);
   ///@{
   /// Sometimes only the partitions themselves show that the field cannot be distributed. Then the
   /// pipeline requests the whole field and executes again (RequestWholeField). Until the input is
   /// modified, later updates request the whole field immediately (IsPartitionErrorKnown).
   /// MustRequestWholeField returns true if this process must request the whole field because
-  /// another process already did. Otherwise, if this process holds the whole field, it sets \a
-  /// error to the reason. The call is collective, except in the second execution.
+  /// another process already did, or if \a error is not empty in any process. Otherwise, if this
+  /// process holds the whole field, it sets \a error to the reason. The call is collective, except
+  /// in the second execution.
   bool IsPartitionErrorKnown();
   vtkMTimeType GetInputTime();
   bool MustRequestWholeField(vtkInformation* request, interlume::Error& error);

@@ -2,6 +2,7 @@
 #include "vtkVortexAxis.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/CellArrayConversion.h"
 #include "Common/Error.h"
 #include "Common/NamedValue.h"
 #include "Common/ReportValue.h"
@@ -189,11 +190,13 @@ interlume::Error CheckVector(const char* name, const double v[3], bool isDirecti
 }
 
 void SetReport(vtkInterlumeReport* report, int planes = 0, vtkIdType zeros = 0,
-  vtkIdType pointsOnAxis = 0, const interlume::ZeroSearch::Counts& counts = {})
+  vtkIdType pointsOnAxis = 0, const interlume::ZeroSearch::Counts& counts = {},
+  const std::vector<std::string>& converted = {})
 {
   interlume::ReportValue::Set(report,
     { { "Planes", planes }, { "CrossFlowZeros", zeros }, { "PointsOnAxis", pointsOnAxis },
-      { "NonFiniteCells", counts.NonFiniteCells }, { "FillValueCells", counts.FillValueCells } });
+      { "NonFiniteCells", counts.NonFiniteCells }, { "FillValueCells", counts.FillValueCells },
+      { "ConvertedCellArrays", converted } });
 }
 }
 
@@ -209,6 +212,13 @@ vtkVortexAxis::~vtkVortexAxis() = default;
 int vtkVortexAxis::FillInputPortInformation(int, vtkInformation* info)
 {
   interlume::FieldVectors::FillPortInformation(info);
+  return 1;
+}
+
+int vtkVortexAxis::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  interlume::CellArrayConversion::RequestGhostCells(this, inputs, outputs);
   return 1;
 }
 
@@ -229,13 +239,18 @@ int vtkVortexAxis::RequestData(
     }
     return 1;
   }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* vectors = this->GetInputArrayToProcess(0, inputs, association);
+  interlume::CellArrayConversion conversion(
+    this,
+    [this](vtkDataSet* data, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, data, association); },
+    3);
+  const interlume::CellArrayConversion::Selection selection = conversion.Select(input);
+  input = selection.Data;
+  vtkDataArray* vectors = vtkDataArray::SafeDownCast(selection.Array);
   for (const interlume::Error& error :
     { CheckVector("Axis", this->Axis, true), CheckVector("Seed", this->Seed, false),
       CheckVector("FrameVelocity", this->FrameVelocity, false),
-      interlume::FieldVectors::Check(
-        input, vectors, association, this->GetInputArrayInformation(0)) })
+      interlume::FieldVectors::Check(selection, this->GetInputArrayInformation(0)) })
   {
     if (error)
     {
@@ -277,7 +292,7 @@ int vtkVortexAxis::RequestData(
   }
   SetReport(this->Report, flow.GetNumberOfPlanes(),
     static_cast<vtkIdType>(search.GetZeros().size()), output->GetNumberOfPoints(),
-    search.GetCounts());
+    search.GetCounts(), conversion.GetNames());
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -110,7 +110,8 @@ public:
    * - CrossFlowZeros: points where the velocity in the plane is 0,
    * - PointsOnAxis: points of the output,
    * - NonFiniteCells: cells skipped because vectors are not finite,
-   * - FillValueCells: cells skipped because the vector at a point is a fill value.
+   * - FillValueCells: cells skipped because the vector at a point is a fill value,
+   * - ConvertedCellArrays: name of the vectors if they are a cell array.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -119,6 +120,7 @@ protected:
   ~vtkVortexAxis() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

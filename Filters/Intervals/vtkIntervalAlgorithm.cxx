@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIntervalAlgorithm.h"
 
+#include "Common/CellArrayConversion.h"
 #include "Common/Error.h"
 #include "Pass/GhostCells.h"
 #include "Static/DataSetLeaves.h"
@@ -60,6 +61,7 @@ int vtkIntervalAlgorithm::RequestUpdateExtent(
 {
   interlume::GhostCells::Request(
     inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  interlume::CellArrayConversion::RequestGhostCells(this, inputs, outputs);
   return 1;
 }
 

@@ -12,7 +12,16 @@
  * @class   vtkIntervalAlgorithm
  * @brief   common superclass of filters that process intervals of a scalar
  *
- * Select the scalar with SetInputArrayToProcess(0, ...). The default is the active point scalars.
+ * Select the scalar, a one-component array, with SetInputArrayToProcess(0, ...). The default is the
+ * active scalars. If the dataset has no such array of the given association, an array of the same
+ * name or attribute type with the other association (points or cells) is selected.
+ *
+ * A cell array is averaged at the points by vtkCellDataToPointData. The averages are then processed
+ * like a point array, and replace a point array of the same name in the output. Datasets of a
+ * composite dataset are averaged separately. Integers remain integers. A NaN extends to all points
+ * of its cell. Blanked cells of vtkUniformGrid and vtkStructuredGrid are excluded from averages.
+ * Ghost cells are included, so that pieces have the averages of the full grid. For this purpose,
+ * another layer of ghost cells is requested if the given association is not points.
  *
  * @sa vtkIntervalVolume vtkTimeVaryingIntervalVolume
  */

@@ -100,10 +100,10 @@ interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
   {
     const Criterion& criterion = this->Criteria[i];
     const std::string name = "The criterion on \"" + criterion.ArrayName + "\"";
-    error = interlume::ExtractionInput::CheckScalars(input,
-      input->GetPointData()->GetAbstractArray(criterion.ArrayName.c_str()),
-      vtkDataObject::FIELD_ASSOCIATION_POINTS,
-      "point array \"" + criterion.ArrayName + "\" of a criterion");
+    // Valid cell arrays have been converted to point arrays.
+    const auto array = interlume::CellArrayConversion::FindByName(input, criterion.ArrayName);
+    error = interlume::ExtractionInput::CheckScalars(input, array.Array, array.Association,
+      "point or cell array \"" + criterion.ArrayName + "\" of a criterion");
     if (!error && !criterion.InvalidBound.empty())
     {
       error = name + " has the bound " + criterion.InvalidBound +
@@ -118,10 +118,17 @@ interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 int vtkIntervalVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  interlume::ExtractionRun run(this,
-    [this](vtkDataSet* input, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, input, association); });
   this->Index->BeginExecution();
+  std::vector<std::string> names;
+  for (const Criterion& criterion : this->Criteria)
+  {
+    names.push_back(criterion.ArrayName);
+  }
+  interlume::ExtractionRun run(
+    this,
+    [this](vtkDataSet* input, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, input, association); },
+    names, this->UseValueIndex ? this->Index.GetPointer() : nullptr);
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)

@@ -30,7 +30,7 @@ struct InteriorCellPass;
  * @class   vtkIntervalVolume
  * @brief   extract the region between two isovalues as tetrahedra
  *
- * Extracts the interval volume { x : lower <= f(x) <= upper } of a scalar point array, for any
+ * Extracts the interval volume { x : lower <= f(x) <= upper } of a scalar array, for any
  * number of intervals. Each cell is lifted by one dimension, its isosurface is looked up in an
  * isotable and projected back. Tetrahedra of adjacent cells conform, even if the cells have
  * different types. For the method, see Documentation/methods/interval-volumes.md; for timings, see
@@ -41,8 +41,7 @@ struct InteriorCellPass;
  * Quadratic cells are treated as linear, with a warning. A concave polyhedron produces overlapping
  * tetrahedra, with a warning. Cells are skipped, and counted in GetReport(), if they are
  * lower-dimensional, ghost, hidden or blanked, or if a corner has a NaN or infinite scalar or
- * coordinate. Select the scalar, a one-component point array, with SetInputArrayToProcess(0, ...).
- * The default is the active point scalars.
+ * coordinate. For the selection of the scalar, and for cell arrays, see vtkIntervalAlgorithm.
  *
  * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid. A composite input produces a composite
  * output of the same structure. Arrays:
@@ -99,12 +98,12 @@ public:
   ///@{
   /**
    * Add criteria: cut the result to lower <= array <= upper as well, where array is another point
-   * array. Each criterion adds a pass over the tetrahedra. The orientation of tetrahedra is
-   * preserved, so signed volumes still add up if some are inverted. The array must have one
-   * component. Default: none. AddCriterionAsText parses the bounds from text. If a bound is not a
-   * number, the range contains NaN and the next execution reports the text as an error. For an
-   * invalid index, GetCriterionArrayName returns null and GetCriterionRange leaves its arguments
-   * unchanged.
+   * array, or a cell array if no point array has this name. Each criterion adds a pass over the
+   * tetrahedra. The orientation of tetrahedra is preserved, so signed volumes still add up if some
+   * are inverted. The array must have one component. Default: none. AddCriterionAsText parses the
+   * bounds from text. If a bound is not a number, the range contains NaN and the next execution
+   * reports the text as an error. For an invalid index, GetCriterionArrayName returns null and
+   * GetCriterionRange leaves its arguments unchanged.
    */
   void AddCriterion(const char* arrayName, double lower, double upper);
   void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);
@@ -186,6 +185,7 @@ public:
    * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
    * - FoldedCells: self-intersecting cells with output
    * - NonPlanarFaces: quadrilaterals where KeepInteriorCells may leave a gap or an overlap
+   * - ConvertedCellArrays: names of the cell arrays that were averaged at the points
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -93,16 +93,19 @@ int vtkIsotableContour::RequestUpdateExtent(
 {
   interlume::GhostCells::Request(
     inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  interlume::CellArrayConversion::RequestGhostCells(this, inputs, outputs);
   return 1;
 }
 
 int vtkIsotableContour::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  interlume::ExtractionRun run(this,
-    [this](vtkDataSet* input, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, input, association); });
   this->Index->BeginExecution();
+  interlume::ExtractionRun run(
+    this,
+    [this](vtkDataSet* input, int& association)
+    { return this->GetInputAbstractArrayToProcess(0, input, association); },
+    {}, this->UseValueIndex ? this->Index.GetPointer() : nullptr);
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->ExtractFrom(input, run, grids[0]); });

@@ -23,7 +23,7 @@ class ExtractionRun;
  * @class   vtkIsotableContour
  * @brief   extract isosurfaces of any dataset with convex-hull case tables
  *
- * Extracts the isosurfaces f = v of a scalar point array, cell by cell, with isotables (P.
+ * Extracts the isosurfaces f = v of a scalar array, cell by cell, with isotables (P.
  * Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex hulls",
  * IEEE TVCG 10(2), 2004). For the method, see Documentation/methods/isotables.md; for timings, see
  * Documentation/measurements.md.
@@ -33,9 +33,8 @@ class ExtractionRun;
  * everywhere, with lower values on both sides, has no triangles. On the boundary of the domain such
  * a face has triangles.
  *
- * Input: datasets, composite datasets and pieces as in vtkIntervalVolume. Select the scalar, a
- * one-component point array, with SetInputArrayToProcess(0, ...). The default is the active point
- * scalars.
+ * Input: datasets, composite datasets and pieces as in vtkIntervalVolume. For the selection of the
+ * scalar, and for cell arrays, see vtkIntervalAlgorithm.
  *
  * Output: VTK_TRIANGLE cells in a vtkUnstructuredGrid, whose normals point toward lower values. A
  * composite input produces a composite output of the same structure. Arrays:
@@ -137,6 +136,7 @@ public:
    * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
    * - FoldedCells: self-intersecting cells with output
    * - LevelFaces: faces between two levels of an AMR input where the surface has gaps
+   * - ConvertedCellArrays: name of the scalar if it is a cell array, averaged at the points
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

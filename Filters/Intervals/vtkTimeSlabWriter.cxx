@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTimeSlabWriter.h"
 
+#include "Common/CellArrayConversion.h"
 #include "Common/DataDigest.h"
 #include "Common/Error.h"
 #include "Common/Fingerprint.h"
@@ -31,8 +32,9 @@ namespace
 {
 using namespace interlume;
 
-/// Returns a digest of all data of a time step that the extraction uses.
-std::string GetDigest(vtkDataSet* step)
+/// Returns a digest of all data of a time step that the extraction uses. \a scalars is the array to
+/// process.
+std::string GetDigest(vtkDataSet* step, vtkAbstractArray* scalars, int association)
 {
   DataDigest digest;
   digest.AddGrid(step);
@@ -45,6 +47,10 @@ std::string GetDigest(vtkDataSet* step)
   }
   digest.Add(points->GetScalars());
   digest.Add(points->GetGlobalIds());
+  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    digest.Add(vtkDataArray::SafeDownCast(scalars));
+  }
   return digest.Take();
 }
 
@@ -93,10 +99,20 @@ int vtkTimeSlabWriter::RequestData(
   vtkInformation* info = inputs[0]->GetInformationObject(0);
   if (vtkDataSet* step = vtkDataSet::GetData(info))
   {
-    this->StepDigests[info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())] =
-      GetDigest(step);
+    this->AddDigest(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()), step);
   }
   return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+void vtkTimeSlabWriter::AddDigest(double time, vtkDataSet* step)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkAbstractArray* scalars = CellArrayConversion::FindRequested(
+    this,
+    [this](vtkDataSet* input, int& of)
+    { return this->GetInputAbstractArrayToProcess(0, input, of); },
+    step, association);
+  this->StepDigests[time] = GetDigest(step, scalars, association);
 }
 
 std::vector<vtkTimeSlabWriter::Port> vtkTimeSlabWriter::GetPorts(const std::vector<bool>& kinds)
@@ -258,8 +274,13 @@ Fingerprint vtkTimeSlabWriter::MakeFingerprint(std::size_t slab, const double* t
   fingerprint.Add("GenerateBoundary", kinds);
   fingerprint.Add("OutputPointsPrecision", std::to_string(this->GetOutputPointsPrecision()));
   vtkInformation* array = this->GetInputArrayInformation(0);
+  const int association = CellArrayConversion::GetAssociation(array);
   fingerprint.Add("array",
-    array->Has(vtkDataObject::FIELD_NAME()) ? array->Get(vtkDataObject::FIELD_NAME()) : "");
+    (array->Has(vtkDataObject::FIELD_NAME()) ? std::string(array->Get(vtkDataObject::FIELD_NAME()))
+                                             : std::string()) +
+      (association == vtkDataObject::FIELD_ASSOCIATION_POINTS
+          ? ""
+          : " of association " + std::to_string(association)));
   return fingerprint;
 }
 
@@ -284,7 +305,7 @@ void vtkTimeSlabWriter::FindDigest(double time)
   source->UpdateTimeStep(time);
   if (auto* step = vtkDataSet::SafeDownCast(source->GetOutputDataObject(port)))
   {
-    this->StepDigests[time] = GetDigest(step);
+    this->AddDigest(time, step);
   }
 }
 

@@ -108,6 +108,8 @@ private:
     const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& difference);
   interlume::Error WriteSlab(const std::vector<Port>& ports, std::size_t slab, const double* times);
   bool WriteIndex(const Port& port, const std::vector<double>& times) const;
+  /// Stores the digest of a time step.
+  void AddDigest(double time, vtkDataSet* step);
   /// Reads a time step and stores its digest, unless the digest is known.
   void FindDigest(double time);
 

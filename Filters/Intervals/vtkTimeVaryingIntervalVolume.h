@@ -174,6 +174,7 @@ public:
    * - Simplices, FlatSimplices, InvertedSimplices: number of all 4-simplices, of degenerate
    *   4-simplices, which yield no tetrahedra, and of negatively oriented 4-simplices, which yield
    *   inverted tetrahedra
+   * - ConvertedCellArrays: name of the scalar if it is a cell array, averaged at the points
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -4,6 +4,9 @@
 
 #include "Common/ReportValue.h"
 
+#include <string>
+#include <vector>
+
 namespace interlume
 {
 
@@ -23,6 +26,7 @@ struct FlowLICReport
   double NoiseScale = 0.0;
   vtkIdType FillValues = 0;
   vtkIdType NonFiniteVectors = 0;
+  std::vector<std::string> ConvertedCellArrays;
 
   void CopyTo(vtkInterlumeReport* report) const
   {
@@ -32,7 +36,8 @@ struct FlowLICReport
         { "PointsWithShortLines", this->PointsWithShortLines }, { "Steps", this->Steps },
         { "StepLength", this->StepLength }, { "Length", this->Length },
         { "NoiseScale", this->NoiseScale }, { "FillValues", this->FillValues },
-        { "NonFiniteVectors", this->NonFiniteVectors } });
+        { "NonFiniteVectors", this->NonFiniteVectors },
+        { "ConvertedCellArrays", this->ConvertedCellArrays } });
   }
 };
 

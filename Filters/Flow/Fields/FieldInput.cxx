@@ -31,7 +31,7 @@ bool HasVolume(vtkDataSet* data)
 }
 
 FieldInput::FieldInput(vtkDataObject* input)
-  : DataSet(vtkDataSet::SafeDownCast(input))
+  : DataSet{ vtkDataSet::SafeDownCast(input) }
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -41,17 +41,29 @@ FieldInput::FieldInput(vtkDataObject* input)
       auto* leaf = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
       if (leaf && leaf->GetNumberOfCells() > 0)
       {
-        this->Blocks.push_back({ leaf, leaves->GetCurrentFlatIndex() });
+        this->Blocks.push_back({ { leaf }, leaves->GetCurrentFlatIndex() });
       }
     }
     // If some blocks have three-dimensional cells, all other blocks are assumed to be boundary
     // patches and ignored.
     const auto firstFlat = std::stable_partition(this->Blocks.begin(), this->Blocks.end(),
-      [](const Block& block) { return HasVolume(block.Data); });
+      [](const Block& block) { return HasVolume(block.Selection.Data); });
     if (firstFlat != this->Blocks.begin())
     {
       this->Blocks.erase(firstFlat, this->Blocks.end());
     }
+  }
+}
+
+void FieldInput::SelectVectors(CellArrayConversion& conversion)
+{
+  if (this->DataSet.Data)
+  {
+    this->DataSet = conversion.Select(this->DataSet.Data);
+  }
+  for (Block& block : this->Blocks)
+  {
+    block.Selection = conversion.Select(block.Selection.Data);
   }
 }
 
@@ -64,11 +76,11 @@ vtkSmartPointer<vtkDataSet> FieldInput::MakeField() const
 {
   if (this->Blocks.empty())
   {
-    return this->DataSet;
+    return this->DataSet.Data;
   }
   if (this->Blocks.size() == 1)
   {
-    return this->Blocks[0].Data;
+    return this->Blocks[0].Selection.Data;
   }
   return MergedDataSets::Merge(this->GetData());
 }
@@ -76,9 +88,9 @@ vtkSmartPointer<vtkDataSet> FieldInput::MakeField() const
 bool FieldInput::HasHidden() const
 {
   std::vector<vtkDataSet*> parts = this->GetData();
-  if (this->DataSet)
+  if (this->DataSet.Data)
   {
-    parts.push_back(this->DataSet);
+    parts.push_back(this->DataSet.Data);
   }
   return std::any_of(parts.begin(), parts.end(),
     [](vtkDataSet* data)
@@ -100,14 +112,14 @@ bool FieldInput::HasHidden() const
 
 bool FieldInput::HasOnlyFlatBlocks() const
 {
-  return !this->Blocks.empty() && !HasVolume(this->Blocks[0].Data);
+  return !this->Blocks.empty() && !HasVolume(this->Blocks[0].Selection.Data);
 }
 
 vtkSmartPointer<vtkDataSet> FieldInput::MakePart() const
 {
-  if (this->DataSet)
+  if (this->DataSet.Data)
   {
-    return this->DataSet;
+    return this->DataSet.Data;
   }
   if (this->Blocks.empty() || this->HasOnlyFlatBlocks())
   {
@@ -121,7 +133,7 @@ std::vector<vtkDataSet*> FieldInput::GetData() const
   std::vector<vtkDataSet*> parts;
   for (const Block& block : this->Blocks)
   {
-    parts.push_back(block.Data);
+    parts.push_back(block.Selection.Data);
   }
   return parts;
 }

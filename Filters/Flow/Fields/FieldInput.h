@@ -2,6 +2,8 @@
 #ifndef interlume_FieldInput_h
 #define interlume_FieldInput_h
 
+#include "Common/CellArrayConversion.h"
+
 #include "vtkSmartPointer.h"
 
 #include <vector>
@@ -25,12 +27,20 @@ class FieldInput
 public:
   struct Block
   {
-    vtkDataSet* Data;
+    /// The data and, after SelectVectors(), the vectors.
+    CellArrayConversion::Selection Selection;
     /// Flat index of the block (vtkCompositeDataIterator).
     unsigned int FlatIndex;
   };
 
   explicit FieldInput(vtkDataObject* input);
+
+  /// Selects the vectors of the dataset or of each block. A dataset with a converted cell array is
+  /// replaced by a copy that \a conversion holds.
+  void SelectVectors(CellArrayConversion& conversion);
+
+  /// Returns the input dataset and its vectors. The data are null if the input is composite.
+  const CellArrayConversion::Selection& GetDataSet() const { return this->DataSet; }
 
   /// Returns the blocks, or an empty list if the input is a dataset.
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
@@ -61,7 +71,7 @@ public:
 private:
   std::vector<vtkDataSet*> GetData() const;
 
-  vtkDataSet* DataSet;
+  CellArrayConversion::Selection DataSet;
   std::vector<Block> Blocks;
 };
 

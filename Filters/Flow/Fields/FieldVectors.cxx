@@ -24,21 +24,27 @@ namespace interlume
 
 namespace
 {
-// Returns a sentence that lists the point arrays with three components.
+// Returns a sentence that lists the arrays with three components.
 std::string DescribeVectors(vtkDataSet* data)
 {
   std::string names;
-  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
-    vtkDataArray* array = data->GetPointData()->GetArray(i);
-    if (array && array->GetNumberOfComponents() == 3)
+    vtkDataSetAttributes* arrays = data->GetAttributes(association);
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
     {
-      names += names.empty() ? "" : ", ";
-      names += array->GetName() ? "\"" + std::string(array->GetName()) + "\"" : "an unnamed array";
+      vtkDataArray* array = arrays->GetArray(i);
+      if (array && array->GetNumberOfComponents() == 3)
+      {
+        names += names.empty() ? "" : ", ";
+        names +=
+          array->GetName() ? "\"" + std::string(array->GetName()) + "\"" : "an unnamed array";
+        names += association == vtkDataObject::CELL ? " (cells)" : "";
+      }
     }
   }
-  return names.empty() ? "It has no point array with three components."
-                       : "Its point arrays with three components: " + names + ".";
+  return names.empty() ? "It has no point or cell array with three components."
+                       : "Its arrays with three components: " + names + ".";
 }
 }
 
@@ -52,38 +58,30 @@ void FieldVectors::FillPortInformation(vtkInformation* info)
   }
 }
 
-Error FieldVectors::Check(
-  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request)
+Error FieldVectors::Check(const CellArrayConversion::Selection& selection, vtkInformation* request)
 {
-  return CheckVectors(data, vectors, association, request).Then([&] { return CheckCells(data); });
+  return CheckVectors(selection, request).Then([&] { return CheckCells(selection.Data); });
 }
 
 Error FieldVectors::CheckVectors(
-  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request)
+  const CellArrayConversion::Selection& selection, vtkInformation* request)
 {
-  using namespace ArrayCheck;
-  if (!vectors)
+  vtkDataSet* data = selection.Data;
+  if (!selection.Array)
   {
-    const char* name = request->Has(vtkDataObject::FIELD_NAME())
-      ? request->Get(vtkDataObject::FIELD_NAME())
-      : nullptr;
-    vectors = name ? data->GetCellData()->GetArray(name) : data->GetCellData()->GetVectors();
-    if (!vectors)
-    {
-      return MakeSentence(
-        name ? FindPointError(data, "field", name, 3) : "the field has no active point vectors")
-        .Within("", " " + DescribeVectors(data));
-    }
-    association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    const std::string what = request->Has(vtkDataObject::FIELD_NAME())
+      ? "point or cell array \"" + std::string(request->Get(vtkDataObject::FIELD_NAME())) + "\""
+      : "active vectors";
+    return "The field has no " + what + ". " + DescribeVectors(data);
   }
-  return MakeSentence(FindAssociationError(vectors, association)
-                        .Then([&] { return FindPointError(data, vectors, 3); })
-                        .Then([&] { return GridCheck::FindError(data); }));
+  return ArrayCheck::MakeSentence(
+    ArrayCheck::FindError(data, selection.Array, selection.Association, 3)
+      .Then([&] { return GridCheck::FindError(data); }));
 }
 
-Error FieldVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)
+Error FieldVectors::CompareNames(vtkAbstractArray* first, vtkAbstractArray* other)
 {
-  const auto describe = [](vtkDataArray* array)
+  const auto describe = [](vtkAbstractArray* array)
   { return "\"" + std::string(array->GetName() ? array->GetName() : "") + "\""; };
   return describe(first) == describe(other)
     ? Error()

@@ -2,9 +2,10 @@
 #ifndef interlume_FieldVectors_h
 #define interlume_FieldVectors_h
 
+#include "Common/CellArrayConversion.h"
 #include "Common/Error.h"
 
-class vtkDataArray;
+class vtkAbstractArray;
 class vtkDataSet;
 class vtkInformation;
 
@@ -22,19 +23,18 @@ public:
   static void FillPortInformation(vtkInformation* info);
 
   /**
-   * Returns an error unless the array to process is a point array with three components, and
+   * Returns an error unless the selected array is a point array with three components, and
    * MultilinearCell supports the cell types. Blanked and flat cells may have other types, but not
-   * all cells may be flat. \a vectors may be null; \a request describes the requested array.
+   * all cells may be flat. The array may be null; \a request describes the requested array.
    */
-  static Error Check(
-    vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request);
+  static Error Check(const CellArrayConversion::Selection& selection, vtkInformation* request);
 
   /// Checks only the array.
   static Error CheckVectors(
-    vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request);
+    const CellArrayConversion::Selection& selection, vtkInformation* request);
 
   /// Returns an error if the vectors of two blocks have different names.
-  static Error CompareNames(vtkDataArray* first, vtkDataArray* other);
+  static Error CompareNames(vtkAbstractArray* first, vtkAbstractArray* other);
 
 private:
   static Error CheckCells(vtkDataSet* data);

@@ -5,6 +5,7 @@
 #include "Checkpoint/CheckpointedStreamlines.h"
 #include "Checkpoint/FlowCheckpoint.h"
 #include "Common/ArrayCheck.h"
+#include "Common/CellArrayConversion.h"
 #include "Common/Vectors.h"
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
@@ -85,11 +86,16 @@ Error ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
 {
   for (const std::string& mean : this->Options.MeanArrays)
   {
-    if (Error error = ArrayCheck::FindPointError(this->Data, "field", mean, 1))
+    // Valid cell arrays have been converted to point arrays.
+    const auto found = CellArrayConversion::FindByName(this->Data, mean);
+    const Error error = found.Array
+      ? ArrayCheck::FindError(this->Data, found.Array, found.Association, 1)
+      : "the field has no point or cell array \"" + mean + "\"";
+    if (error)
     {
       return error.Within("Cannot compute a mean along streamlines: ", ".");
     }
-    means.push_back(this->Data->GetPointData()->GetArray(mean.c_str()));
+    means.push_back(vtkDataArray::SafeDownCast(found.Array));
   }
   return {};
 }

@@ -51,7 +51,8 @@ void FlowReport::CopyTo(vtkInterlumeReport* report) const
       { "ResumedStreamlines", this->ResumedStreamlines }, { "Checkpoints", this->Checkpoints },
       { "MaximumError", this->MaximumError }, { "MinimumSpeed", this->MinimumSpeed },
       { "FillValue", this->FillValue }, { "SpeedScale", this->SpeedScale },
-      { "NonFiniteVectors", this->NonFiniteVectors } });
+      { "NonFiniteVectors", this->NonFiniteVectors },
+      { "ConvertedCellArrays", this->ConvertedCellArrays } });
 }
 
 void FlowReport::Add(const FlowReport& other)

@@ -115,6 +115,8 @@ struct FlowReport
   double SpeedScale = 0.0;
   /// Number of points of the field's cells with NaN or infinite vectors.
   vtkIdType NonFiniteVectors = 0;
+  /// Names of the cell arrays that were averaged at the points.
+  std::vector<std::string> ConvertedCellArrays;
 };
 
 }

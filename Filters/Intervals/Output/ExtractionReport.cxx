@@ -59,7 +59,8 @@ void ExtractionReport::CopyTo(vtkInterlumeReport* report) const
       { "ArraysInterpolated", this->ArraysInterpolated }, { "ArraysCopied", this->ArraysCopied },
       { "Passes", this->Passes }, { "WorkingBytes", this->WorkingBytes },
       { "ReusedBytes", this->ReusedBytes }, { "IdleBytes", this->IdleBytes },
-      { "CellsPerProcess", this->CellsPerProcess }, { "Balance", this->GetBalance() } });
+      { "CellsPerProcess", this->CellsPerProcess }, { "Balance", this->GetBalance() },
+      { "ConvertedCellArrays", this->ConvertedCellArrays } });
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include "vtkType.h"
 
+#include <string>
 #include <vector>
 
 class vtkInterlumeReport;
@@ -76,6 +77,8 @@ struct ExtractionReport
   /// Number of cells with output per process if the filter's ReportBalance is on and each process
   /// extracts its own piece. Empty otherwise.
   std::vector<vtkIdType> CellsPerProcess;
+  /// Names of the cell arrays that were averaged at the points.
+  std::vector<std::string> ConvertedCellArrays;
 
   /// Returns the load balance: the maximum number of cells with output per process, divided by the
   /// mean over all processes. 1 is perfect balance. Returns 0 if CellsPerProcess is empty or all
@@ -83,7 +86,7 @@ struct ExtractionReport
   double GetBalance() const;
 
   /// Adds the numbers of cells, faces and simplices. Takes the maximum of the other values, except
-  /// CellsPerProcess, which is unchanged.
+  /// CellsPerProcess and ConvertedCellArrays, which are unchanged.
   void Add(const ExtractionReport& other);
   /// Copies all values and the balance to \a report.
   void CopyTo(vtkInterlumeReport* report) const;

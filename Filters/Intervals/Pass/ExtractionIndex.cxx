@@ -56,6 +56,7 @@ void ExtractionIndex::BeginExecution()
   };
   removeUnused(this->Known);
   removeUnused(this->LinearGrids);
+  CellArrayConversion::RemoveUnused(this->ConvertedArrays);
   ++this->Execution;
 }
 

@@ -2,6 +2,8 @@
 #ifndef interlume_ExtractionIndex_h
 #define interlume_ExtractionIndex_h
 
+#include "Common/CellArrayConversion.h"
+
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
 
@@ -25,7 +27,8 @@ class ExtractionValues;
  * Blocks have 8 x 4 x 4 cells in structured grids and 16 successive cells in other grids. The index
  * of a dataset is built at its second extraction, since building it visits all cells. It is cached
  * until the dataset or the scalar array changes. One object serves all leaves of a composite
- * dataset. It also caches the grids that replace grids with polyhedra (see ExtractionLinearizer).
+ * dataset. It also caches the grids that replace grids with polyhedra (see ExtractionLinearizer),
+ * and converted cell arrays.
  */
 class ExtractionIndex : public vtkObject
 {
@@ -50,6 +53,9 @@ public:
   /// Returns the cache entry of \a input. Its Grid is null if no grid is cached or the input has
   /// changed.
   LinearGrid& GetLinearGrid(vtkDataSet* input);
+
+  /// Returns the cache of converted cell arrays.
+  CellArrayConversion::Cache& GetConvertedArrays() { return this->ConvertedArrays; }
 
   /// Starts an execution. Removes entries that the previous execution did not use.
   void BeginExecution();
@@ -110,6 +116,7 @@ private:
 
   std::map<vtkDataArray*, Ranges> Known;
   std::map<vtkDataSet*, LinearGrid> LinearGrids;
+  CellArrayConversion::Cache ConvertedArrays;
   int Execution = 0;
   Ranges* Selected = nullptr;
   std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };

@@ -80,8 +80,7 @@ Error ExtractionInput::CheckScalars(
   int dimensions[3];
   const bool usesIds = !ExtractionArrays::GetRowDimensions(input, dimensions);
   return ArrayCheck::MakeSentence(
-    ArrayCheck::FindAssociationError(array, association)
-      .Then([&] { return ArrayCheck::FindPointError(input, array, 1); })
+    ArrayCheck::FindError(input, array, association, 1)
       .Then([&] { return GridCheck::FindError(input); })
       .Then([&] { return usesIds ? GlobalIds::FindError(input) : Error(); })
       .Then(
@@ -228,9 +227,9 @@ std::string ExtractionInput::DescribeArrayToProcess(vtkAlgorithm* owner)
   vtkInformation* info = owner->GetInputArrayInformation(0);
   if (info->Has(vtkDataObject::FIELD_NAME()))
   {
-    return std::string("point array \"") + info->Get(vtkDataObject::FIELD_NAME()) + "\"";
+    return std::string("point or cell array \"") + info->Get(vtkDataObject::FIELD_NAME()) + "\"";
   }
-  return "active point scalars";
+  return "active scalars";
 }
 
 }

@@ -2,36 +2,38 @@
 #include "Static/ExtractionRun.h"
 
 #include "Output/ProcessBalance.h"
+#include "Pass/ExtractionIndex.h"
 #include "Static/ExtractionInput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 
-#include <utility>
-
 namespace interlume
 {
 
-ExtractionRun::ExtractionRun(vtkAlgorithm* owner, ArrayFinder findArray)
+ExtractionRun::ExtractionRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
+  const std::vector<std::string>& names, ExtractionIndex* index)
   : Owner(owner)
-  , FindArray(std::move(findArray))
+  , Conversion(owner, findArray, 1, names, index ? &index->GetConvertedArrays() : nullptr)
 {
 }
 
-vtkDataArray* ExtractionRun::FindScalars(vtkDataSet* input, const std::function<Error()>& findError)
+vtkDataArray* ExtractionRun::FindScalars(
+  vtkDataSet*& input, const std::function<Error()>& findError)
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* array = this->FindArray(input, association);
+  const CellArrayConversion::Selection selection = this->Conversion.Select(input);
+  input = selection.Data;
   const std::string wanted = ExtractionInput::DescribeArrayToProcess(this->Owner);
   if (const Error error =
-        ExtractionInput::CheckScalars(input, array, association, wanted).Then(findError))
+        ExtractionInput::CheckScalars(input, selection.Array, selection.Association, wanted)
+          .Then(findError))
   {
     vtkErrorWithObjectMacro(this->Owner, << error);
     this->Empty.SetExplained();
     return nullptr;
   }
-  return vtkDataArray::SafeDownCast(array);
+  return vtkDataArray::SafeDownCast(selection.Array);
 }
 
 void ExtractionRun::Add(vtkDataSet* input, int precision, const ExtractionReport& report)
@@ -47,7 +49,7 @@ void ExtractionRun::Finish(
   const Goal& goal, bool gathersBalance, bool warnsIfEmpty, vtkInterlumeReport* report)
 {
   RefinementLevels::Count(
-    this->Owner->GetInputDataObject(0, 0), goal.Intervals, this->FindArray, this->Report);
+    this->Owner->GetInputDataObject(0, 0), goal.Intervals, this->Conversion, this->Report);
   for (const std::string& warning : RefinementLevels::GetWarnings(this->Report))
   {
     vtkWarningWithObjectMacro(this->Owner, << warning);
@@ -56,6 +58,7 @@ void ExtractionRun::Finish(
   {
     ProcessBalance::Gather(this->Owner, this->Report);
   }
+  this->Report.ConvertedCellArrays = this->Conversion.GetNames();
   this->Report.CopyTo(report);
   const std::string why = this->Empty.Explain(this->Owner, goal.Unset, goal.Sought);
   if (warnsIfEmpty && !why.empty())

@@ -18,6 +18,8 @@ class vtkDataSet;
 namespace interlume
 {
 
+class ExtractionIndex;
+
 /**
  * @class   ExtractionRun
  * @brief   one execution of an extraction filter over all datasets of its input
@@ -28,11 +30,15 @@ namespace interlume
 class ExtractionRun
 {
 public:
-  ExtractionRun(vtkAlgorithm* owner, ArrayFinder findArray);
+  /// \a names are one-component arrays that are needed in addition to the scalars. \a index caches
+  /// converted cell arrays; null if there is none.
+  ExtractionRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
+    const std::vector<std::string>& names, ExtractionIndex* index);
 
-  /// Returns the scalars of a dataset. Issues an error and returns null if the scalars are invalid
-  /// or if \a findError, which checks the filter's parameters, returns an error.
-  vtkDataArray* FindScalars(vtkDataSet* input, const std::function<Error()>& findError);
+  /// Returns the scalars of a dataset. If cell arrays are converted, sets \a input to a copy with
+  /// the point arrays. Issues an error and returns null if the scalars are invalid or if \a
+  /// findError, which checks the filter's parameters afterward, returns an error.
+  vtkDataArray* FindScalars(vtkDataSet*& input, const std::function<Error()>& findError);
 
   /// Adds the report of a dataset and issues its warnings.
   void Add(vtkDataSet* input, int precision, const ExtractionReport& report);
@@ -57,7 +63,7 @@ public:
 
 private:
   vtkAlgorithm* Owner;
-  ArrayFinder FindArray;
+  CellArrayConversion Conversion;
   ExtractionReport Report;
   EmptyOutputDiagnosis Empty;
 };

@@ -230,11 +230,12 @@ std::vector<Block> FindBlocks(vtkCompositeDataSet* levels)
 }
 
 void RefinementLevels::Count(vtkDataObject* input,
-  const std::vector<vtkIntervalList::Interval>& intervals, const ArrayFinder& findArray,
+  const std::vector<vtkIntervalList::Interval>& intervals, CellArrayConversion& conversion,
   ExtractionReport& report)
 {
   vtkCompositeDataSet* levels = vtkCompositeDataSet::SafeDownCast(input);
-  if (!levels || !(levels->IsA("vtkUniformGridAMR") || levels->IsA("vtkOverlappingAMR")))
+  if (intervals.empty() || !levels ||
+    !(levels->IsA("vtkUniformGridAMR") || levels->IsA("vtkOverlappingAMR")))
   {
     return;
   }
@@ -248,8 +249,7 @@ void RefinementLevels::Count(vtkDataObject* input,
         block.Mark(other);
       }
     }
-    int association;
-    vtkDataArray* scalars = vtkDataArray::SafeDownCast(findArray(block.GetImage(), association));
+    vtkDataArray* scalars = vtkDataArray::SafeDownCast(conversion.Select(block.GetImage()).Array);
     if (scalars && !ArrayCheck::FindPointError(block.GetImage(), scalars, 1))
     {
       block.Count(scalars, intervals, report);

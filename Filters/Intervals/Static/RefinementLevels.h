@@ -2,23 +2,18 @@
 #ifndef interlume_RefinementLevels_h
 #define interlume_RefinementLevels_h
 
+#include "Common/CellArrayConversion.h"
 #include "vtkIntervalList.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkDataObject;
-class vtkDataSet;
 
 namespace interlume
 {
 
 struct ExtractionReport;
-
-/// Returns the array that a filter processes in a dataset, and its association.
-using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet* input, int& association)>;
 
 /**
  * @class   RefinementLevels
@@ -34,7 +29,7 @@ public:
   /// Adds the numbers of covered cells and of intersected faces between levels to \a report. An
   /// isosurface is an interval of zero width.
   static void Count(vtkDataObject* input, const std::vector<vtkIntervalList::Interval>& intervals,
-    const ArrayFinder& findArray, ExtractionReport& report);
+    CellArrayConversion& conversion, ExtractionReport& report);
 
   /// Returns warnings for nonzero counts.
   static std::vector<std::string> GetWarnings(const ExtractionReport& report);

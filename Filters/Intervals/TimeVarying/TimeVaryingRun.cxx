@@ -30,7 +30,7 @@ TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray
   const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
   int firstStep, const std::vector<double>& times)
   : Owner(owner)
-  , FindArray(findArray)
+  , Conversion(owner, findArray, 1)
   , Intervals(intervals)
   , Values(ExtractionValues::ForIntervals(intervals))
   , Options(options)
@@ -68,13 +68,13 @@ void TimeVaryingRun::Warn(const std::string& what)
   }
 }
 
-Error TimeVaryingRun::CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const
+Error TimeVaryingRun::FindScalars(vtkDataSet*& input, vtkDataArray*& scalars)
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* array = this->FindArray(input, association);
-  scalars = vtkDataArray::SafeDownCast(array);
-  return ExtractionInput::CheckScalars(
-    input, array, association, ExtractionInput::DescribeArrayToProcess(this->Owner));
+  const CellArrayConversion::Selection selection = this->Conversion.Select(input);
+  input = selection.Data;
+  scalars = vtkDataArray::SafeDownCast(selection.Array);
+  return ExtractionInput::CheckScalars(input, selection.Array, selection.Association,
+    ExtractionInput::DescribeArrayToProcess(this->Owner));
 }
 
 Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
@@ -115,8 +115,11 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   this->UpdateEmptyDiagnosis();
   if (hasSlab)
   {
-    RefinementLevels::Count(input, this->Intervals, this->FindArray, this->Report);
+    RefinementLevels::Count(input, this->Intervals, this->Conversion, this->Report);
   }
+  this->Report.ConvertedCellArrays = this->Conversion.GetNames();
+  // The mesh and the step hold the arrays that they still need.
+  this->Conversion.Clear();
   this->IsJoined = hasSlab;
   this->Report.Slabs += hasSlab;
   ++this->NextStep;
@@ -173,7 +176,7 @@ Error TimeVaryingRun::AddLeafStep(
     return {};
   }
   vtkDataArray* scalars = nullptr;
-  if (Error error = this->CheckScalars(input, scalars))
+  if (Error error = this->FindScalars(input, scalars))
   {
     return error;
   }

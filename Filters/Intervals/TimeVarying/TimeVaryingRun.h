@@ -84,13 +84,14 @@ private:
   Error AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
   void WarnAboutNonFinitePoints(const TimeStep& step, vtkDataSet* input);
   void UpdateEmptyDiagnosis();
-  Error CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
+  /// Finds the scalars. If they are a cell array, sets \a input to a copy with the point array.
+  Error FindScalars(vtkDataSet*& input, vtkDataArray*& scalars);
   std::string DescribeStep() const;
   // Stores a warning unless it is empty or already stored.
   void Warn(const std::string& what);
 
   vtkAlgorithm* Owner;
-  ArrayFinder FindArray;
+  CellArrayConversion Conversion;
   std::vector<vtkIntervalList::Interval> Intervals;
   ExtractionValues Values;
   TimeVaryingOptions Options;

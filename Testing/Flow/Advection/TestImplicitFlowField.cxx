@@ -415,7 +415,7 @@ void TestErrors(Check& check)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Scalar");
   CheckError(filter, "Array \"Scalar\" has 1 component; 3 are needed", check);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nowhere");
-  CheckError(filter, "The field has no point array \"Nowhere\"", check);
+  CheckError(filter, "The field has no point or cell array \"Nowhere\"", check);
   vtkNew<vtkTerminationPlane> line;
   line->SetOrigin(0.0, 0.0, 0.0);
   line->SetPoint1(1.0, 0.0, 0.0);

@@ -391,7 +391,7 @@ void TestErrors(Check& check)
   };
   auto other = MakeImage(2, 2);
   other->GetPointData()->GetVectors()->SetName("Other");
-  expect({ MakeImage(0, 2), other }, "Block 6 (flat index): The field has no point array");
+  expect({ MakeImage(0, 2), other }, "Block 6 (flat index): The field has no point or cell array");
   vtkNew<vtkSphereSource> sphere;
   sphere->Update();
   Grid surface = sphere->GetOutput();

@@ -549,7 +549,7 @@ void TestErrors(Check& check)
   check.SetContext("errors: ");
   vtkNew<vtkFlowLIC> filter;
   filter->SetInputData(MakePoints(MakePositions(3, 1.0)));
-  CheckError(filter, "no active point vectors", check);
+  CheckError(filter, "no active vectors", check);
   const vtkSmartPointer<vtkImageData> image = MakeImage(3, Uniform);
   filter->SetFieldData(image);
   check.That(UpdateAndGetErrors(filter).empty(), "a field");

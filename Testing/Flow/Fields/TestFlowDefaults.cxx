@@ -295,7 +295,7 @@ void TestErrors(Check& check)
   vtkNew<vtkImplicitFlowField> field;
   field->SetInputDataObject(image);
   field->AddTerminationSurface(MakeFlowPlane(0.0));
-  check.Contains(UpdateAndGetErrors(field), "Its point arrays with three components: \"");
+  check.Contains(UpdateAndGetErrors(field), "Its arrays with three components: \"");
 }
 }
 

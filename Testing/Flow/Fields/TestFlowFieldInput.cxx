@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs of flow filters: grids with boundary triangles, blocks with float and double vectors, and
-// blocks next to surface patches. Also tests messages for planar fields and for cell arrays, and
-// that a filter executes again after an abort.
+// blocks next to surface patches. Also tests messages for planar fields, and that a
+// filter executes again after an abort.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -15,7 +15,6 @@
 #include "vtkTerminationPlane.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -166,26 +165,6 @@ void TestPlane(Check& check)
   }
 }
 
-void TestCellArray(Check& check)
-{
-  check.SetContext("array in the cells");
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(5, 5, 5);
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetName("Wind");
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(image->GetNumberOfCells());
-  vectors->Fill(1.0);
-  image->GetCellData()->SetVectors(vectors);
-  const std::string part = "\"Wind\" is not a point array: it is in the cells";
-  Expect(NewFilter(image), part, check);
-  auto named = NewFilter(image);
-  named->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
-  Expect(named, part, check);
-  named->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Wind");
-  Expect(named, part, check);
-}
-
 void TestAbort(Check& check)
 {
   vtkNew<vtkImageData> image;
@@ -261,6 +240,5 @@ void TestShortArrays(Check& check)
 
 int TestFlowFieldInput(int, char*[])
 {
-  return RunChecks(
-    { TestBoundary, TestTypes, TestPlane, TestCellArray, TestAbort, TestShortArrays });
+  return RunChecks({ TestBoundary, TestTypes, TestPlane, TestAbort, TestShortArrays });
 }

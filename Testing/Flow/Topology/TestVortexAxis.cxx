@@ -533,7 +533,7 @@ void CheckErrors(Check& check)
   auto image = MakeCube(4);
   const auto filter = MakeFilter();
   filter->SetInputData(image);
-  CheckError(filter, "The field has no active point vectors", check);
+  CheckError(filter, "The field has no active vectors", check);
   SetVelocity(image, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));
   filter->SetAxis(0.0, 0.0, 0.0);
   CheckError(filter, "Axis 0 0 0 has length 0", check);
