@@ -72,6 +72,8 @@ plugin_test(TestPluginIntervalsRandom "paraview;value"
   ${batch} "${script}/TestPluginIntervalsRandom.py")
 plugin_test(TestPluginSources "paraview;value" ${batch} "${script}/TestPluginSources.py")
 plugin_test(TestPluginMesher "paraview;value" ${batch} "${script}/TestPluginMesher.py")
+plugin_test(TestPluginCellArrays "paraview;value"
+  ${batch} "${script}/TestPluginCellArrays.py")
 plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginComposite.py")
 plugin_test(TestPluginTimeVarying "paraview;value" ${batch} "${script}/TestPluginTimeVarying.py")
 plugin_test(TestPluginFlow "paraview;value" ${batch} "${script}/TestPluginFlow.py")

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests that filters accept data that have only cell arrays, select a cell array by default, and give the result of
+Cell Data to Point Data. Filters whose input has no array are disabled.
+"""
+
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from plugin_testing import check_inputs, fetch, open_data, run, set_properties, temporal_source, warnings_of
+
+SCALAR_FILTERS = {
+    "IntervalVolume": {},
+    "IsotableContour": {},
+    "TimeVaryingIntervalVolume": {"Boundaries": ["Volume at end"], "GenerateSimplices": True},
+}
+VECTOR_FILTERS = {
+    "ImplicitFlowField": {"DomainFaces": True, "CriticalPointSpheres": True},
+    "FlowCriticalPoints": {},
+    "VortexAxis": {},
+}
+
+
+def to_cells(source):
+    """Returns the data with cell arrays only."""
+    cells = simple.PointDatatoCellData(Input=source, ProcessAllArrays=True)
+    cells.UpdatePipeline()
+    return cells
+
+
+def to_points(cells):
+    points = simple.CellDatatoPointData(Input=cells, ProcessAllArrays=True, PassCellData=True)
+    points.UpdatePipeline()
+    return points
+
+
+def arrays_of(proxy, port):
+    """Returns all arrays of an output by association and name, with the points."""
+    grid = fetch(proxy, port)
+    if grid.IsA("vtkImageData"):
+        arrays = {("points", ""): grid.GetDimensions()}
+    else:
+        points = grid.GetPoints()
+        arrays = {("points", ""): vtk_to_numpy(points.GetData()) if points else numpy.empty(0)}
+    for kind, attributes in (("point", grid.GetPointData()), ("cell", grid.GetCellData())):
+        for index in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetArray(index)
+            arrays[kind, array.GetName()] = vtk_to_numpy(array)
+    return arrays
+
+
+def check_equal(checks, proxy, reference, ports, what):
+    for port in range(ports):
+        found, expected = arrays_of(proxy, port), arrays_of(reference, port)
+        checks.equal(sorted(found), sorted(expected), f"{what}, arrays at port {port}")
+        for key in expected:
+            checks.that(
+                numpy.array_equal(found.get(key), expected[key]), f"{what}, {key} at port {port}")
+    checks.that(fetch(proxy).GetNumberOfPoints() > 0, f"{what} has an output")
+
+
+def selection_name(proxy):
+    return "SelectInputVectors" if proxy.SMProxy.GetXMLName() in VECTOR_FILTERS else "SelectInputScalars"
+
+
+def check_filter(checks, name, properties, cells, points, array):
+    """Tests the default selection, and that the output equals the output for the point array."""
+    proxy = getattr(simple, name)(Input=cells)
+    reference = getattr(simple, name)(Input=points)
+    checks.equal(list(proxy.GetPropertyValue(selection_name(proxy))), ["CELLS", array], f"{name}, default array")
+    checks.equal(
+        list(reference.GetPropertyValue(selection_name(proxy))), ["POINTS", array], f"{name}, point arrays first")
+    for one in (proxy, reference):
+        set_properties(one, properties)
+    for value in ("Intervals", "Isosurfaces"):
+        if value in proxy.ListProperties():
+            low, high = cells.CellData[array].GetRange()
+            count = len(proxy.GetPropertyValue(value))
+            middle = [low + (high - low) * part for part in (0.45, 0.6)][:count]
+            checks.that(
+                all(low <= one <= high for one in proxy.GetPropertyValue(value)), f"{name}, proposed {value}")
+            set_properties(proxy, {value: middle})
+            set_properties(reference, {value: middle})
+    with warnings_of(proxy, ("ErrorEvent",)) as messages:
+        proxy.UpdatePipeline()
+    checks.equal(messages, [], f"{name}, errors")
+    check_equal(checks, proxy, reference, proxy.SMProxy.GetNumberOfOutputPorts(), name)
+    # The same name as a point array in a script, as for Contour.
+    proxy.SetPropertyWithName(selection_name(proxy), ["POINTS", array])
+    with warnings_of(proxy, ("ErrorEvent",)) as messages:
+        proxy.UpdatePipeline()
+    checks.equal(messages, [], f"{name}, errors of a cell array selected as a point array")
+
+
+def check_accepted(checks, names, accepted):
+    for name in names:
+        check_inputs(checks, name, accepted)
+
+
+def main(checks):
+    field = temporal_source("AnalyticField", {"Field": "Wave", "WholeExtent": [0, 15, 0, 9, 0, 8]})
+    flow = temporal_source("AnalyticFlow", {"WholeExtent": [0, 16, 0, 16, 0, 16]})
+    nothing = simple.Sphere()  # has only normals
+    scalars, vectors = to_cells(field), to_cells(flow)
+    wavelet = to_cells(open_data("wavelet"))
+    names = list(SCALAR_FILTERS)
+    check_accepted(checks, names, ((scalars, True), (wavelet, True), (nothing, False), (vectors, False)))
+    check_accepted(
+        checks, list(VECTOR_FILTERS), ((vectors, True), (wavelet, False), (scalars, False)))
+    for name, properties in SCALAR_FILTERS.items():
+        check_filter(checks, name, properties, scalars, to_points(scalars), "f")
+    for name, properties in VECTOR_FILTERS.items():
+        check_filter(checks, name, properties, vectors, to_points(vectors), "Velocity")
+    lic = simple.FlowLIC(Input=flow, Field=vectors)
+    checks.equal(list(lic.GetPropertyValue("SelectInputVectors")), ["CELLS", "Velocity"], "FlowLIC, default array")
+    reference = simple.FlowLIC(Input=flow, Field=to_points(vectors))
+    check_equal(checks, lic, reference, 1, "FlowLIC")
+
+
+run(main)
