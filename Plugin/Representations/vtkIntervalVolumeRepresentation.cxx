@@ -17,10 +17,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVSession.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPVView.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
@@ -36,12 +39,24 @@ const char* const MAPPER_NAME = "Interlume";
 const char* const AUTOMATIC_DELTA_T = "DeltaT";
 /// Arrays with more components do not contain colors; the transfer functions are used instead.
 constexpr int MAXIMUM_COLOR_COMPONENTS = 4;
+
+/// Returns true if one process has the data, renders, and is the client.
+bool IsOneProcess()
+{
+  vtkProcessModule* module = vtkProcessModule::GetProcessModule();
+  auto* session = vtkPVSession::SafeDownCast(module ? module->GetActiveSession() : nullptr);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return session && session->HasProcessRole(vtkPVSession::CLIENT) &&
+    session->HasProcessRole(vtkPVSession::RENDER_SERVER) &&
+    (!controller || controller->GetNumberOfProcesses() == 1);
+}
 }
 
 vtkStandardNewMacro(vtkIntervalVolumeRepresentation);
 
 vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
-  : Functions(std::make_unique<vtkVolumeFunctions>())
+  : IsLocal(IsOneProcess())
+  , Functions(std::make_unique<vtkVolumeFunctions>())
   , Constant(std::make_unique<vtkConstantScalars>())
 {
   this->SetMapper(vtkNew<vtkTimeWeightedTetrahedraMapper>());
@@ -137,6 +152,13 @@ vtkAlgorithmOutput* vtkIntervalVolumeRepresentation::GetInternalOutputPort(int p
 int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
+  if (request == vtkPVView::REQUEST_UPDATE_LOD() && this->DrawsSubsets())
+  {
+    // The superclass would extract and simplify the surface of all tetrahedra.
+    vtkNew<vtkPolyData> noSurface;
+    vtkPVRenderView::SetPieceLOD(inInfo, this, noSurface);
+    return this->vtkVolumeRepresentation::ProcessViewRequest(request, inInfo, outInfo);
+  }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;
@@ -173,9 +195,18 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
       this->Mapper->SelectScalarArray(vtkConstantScalars::GetArrayName());
       this->LODMapper->SetScalarVisibility(0);
     }
+    if (this->DrawsSubsets())
+    {
+      this->Actor->SetEnableLOD(0);
+    }
   }
   this->GatherPieces(isReduced);
   return 1;
+}
+
+bool vtkIntervalVolumeRepresentation::DrawsSubsets() const
+{
+  return this->IsLocal && this->Mapper->GetAutoAdjustLevelOfDetail();
 }
 
 void vtkIntervalVolumeRepresentation::ConfigureCompositing(vtkInformation* view)

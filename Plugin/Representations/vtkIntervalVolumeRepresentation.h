@@ -29,6 +29,9 @@ class vtkVolumeFunctions;
  * its color and opacity functions, and the opacity unit distance. If there is no color array, or
  * the data lack it, the solid color and a constant opacity are used (see vtkVolumeFunctions).
  *
+ * **Interaction.** Without a server, the mapper draws a subset of the tetrahedra in the time that
+ * the view allocates (see vtkTimeWeightedTetrahedraMapper::SetAutoAdjustLevelOfDetail).
+ *
  * **Several processes.** Blend modes that do not depend on order produce the same image as a single
  * process, for any distribution of the pieces (see vtkTimeWeightedTetrahedraMapper::GatherPieces).
  * COMPOSITE_BLEND does so too if planes separate the boxes of the pieces and all processes render
@@ -101,6 +104,10 @@ private:
   /// Returns the color array, or null if the input of the mapper lacks it.
   vtkDataArray* FindScalars();
 
+  /// Returns true if the mapper reduces the level of detail during interaction. Otherwise, as for
+  /// ParaView's Volume, a simplified surface is drawn: if a server renders, because the client must
+  /// be able to draw the reduced data, or if AutoAdjustLevelOfDetail is off.
+  bool DrawsSubsets() const;
   /// Sets how ParaView distributes the cells for rendering. Each process keeps its own cells if the
   /// blend mode does not depend on order, if the bounds of the pieces are disjoint, or if sending
   /// the cells fails or changes them.
@@ -117,6 +124,8 @@ private:
   vtkNew<vtkTrivialProducer> Collection;
   vtkWeakPointer<vtkRenderer> ViewRenderer;
   unsigned long Observer = 0;
+  /// Whether the data and the client are in this process, and no other process renders.
+  bool IsLocal;
   /// Whether all processes render one image together.
   bool IsSingleImage = false;
   /// Whether the bounds of the pieces of all processes are disjoint, and whether any piece has an

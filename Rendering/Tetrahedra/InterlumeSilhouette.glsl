@@ -12,9 +12,6 @@ uniform vec2 viewport;
 // Factor that converts the values of `volumes`, six times the volume of each tetrahedron in mesh
 // coordinates, to pixels and depth.
 uniform float volumeScale;
-#ifdef TETRAHEDRON_STRIDE
-uniform int tetrahedronStride;
-#endif
 #ifdef SCALARS
 uniform samplerBuffer scalars;
 #endif
@@ -289,12 +286,6 @@ float difference;
 // Computes the silhouette. Returns its number of corners, or 0 if nothing is to be drawn.
 int makeSilhouette(int tetrahedron)
 {
-#ifdef TETRAHEDRON_STRIDE
-  if (((uint(tetrahedron) * 2654435761u) >> 8) % uint(tetrahedronStride) != 0u)
-  {
-    return 0;
-  }
-#endif
   uvec4 ids = texelFetch(corners, tetrahedron);
   vec3 first = texelFetch(points, int(ids.x)).xyz;
   c[0] = fetch(ids.x, first);

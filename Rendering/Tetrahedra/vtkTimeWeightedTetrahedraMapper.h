@@ -276,8 +276,13 @@ public:
 
   ///@{
   /**
-   * If on, render with fewer pixels and fewer tetrahedra if full detail would take longer than the
-   * render time allocated to the volume. Still images always have full detail. Default on.
+   * If on, render with fewer pixels and a subset of the tetrahedra if full detail would take longer
+   * than the render time allocated to the volume (DesiredUpdateRate of the window or its
+   * interactor). Tetrahedra of a subset are enlarged so that mean opacity and brightness remain
+   * nearly unchanged. A subset contains all smaller ones and does not depend on the view, so it
+   * does not flicker. It is computed in the first such image after a change of the data or the
+   * transfer functions. Images that have enough time, and hardware selection, always have full
+   * detail, as have images of several processes (see GatherPieces). Default on.
    */
   vtkSetMacro(AutoAdjustLevelOfDetail, bool);
   vtkGetMacro(AutoAdjustLevelOfDetail, bool);
@@ -318,6 +323,7 @@ public:
    * - `RenderPath`, `PathReason`: the path (see RenderPaths), and the reason for it;
    * - `SortReason`: the reason for the sort mode;
    * - `PixelStride`: number of viewport pixels per computed pixel in x and in y; 1 in full detail;
+   * - `TetrahedronStride`: number of tetrahedra per tetrahedron of the subset; 1 in full detail;
    * - `Seconds`: time to render this image, in seconds.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }

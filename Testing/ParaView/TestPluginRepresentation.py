@@ -6,6 +6,7 @@ then has a piece of the data, and only images that support ordered compositing a
 cannot send each other grids, there must be one warning, and the images must still be equal.
 """
 
+import re
 import sys
 
 from paraview import servermanager, simple
@@ -93,6 +94,31 @@ def check_choice(checks):
     simple.Delete(view)
 
 
+def uploaded_bytes(display):
+    """Returns the size of the last image that the mapper uploaded, or 0 if it showed an earlier image again."""
+    text = str(display.GetClientSideObject().GetActiveRepresentation())
+    return int(re.search(r"UploadedImageBytes: (\d+)", text.split("Report:")[1]).group(1))
+
+
+def check_interaction(checks):
+    """Tests that the mapper, not a surface of the tetrahedra, is rendered during interaction."""
+    volume = interval_volume(open_data("wavelet"), "RTData", [(140.0, 180.0)])
+    view = simple.CreateView("RenderView")
+    view.LODThreshold = 0.0  # use the reduced level of detail for data of any size
+    display = simple.Show(volume, view)
+    display.SetRepresentationType(REPRESENTATION)
+    display.IntervalRenderPath = "Software"
+    for adjusts in (True, False):
+        display.IntervalAutoAdjustLevelOfDetail = adjusts
+        simple.Render(view)
+        simple.Render(view)
+        checks.equal(uploaded_bytes(display), 0, "bytes of an image that is shown again")
+        view.CameraPosition = [1.1 * x for x in view.CameraPosition]
+        view.SMProxy.InteractiveRender()
+        checks.that((uploaded_bytes(display) > 0) == adjusts, f"level of detail {adjusts}: drawn by the mapper")
+    simple.Delete(view)
+
+
 def bounds(picture, distributed):
     if distributed:
         return DISTRIBUTED_BOUNDS
@@ -109,6 +135,7 @@ def main(checks):
         pictures = [picture for picture in pictures if picture["name"] in DISTRIBUTED_IMAGES]
     else:
         check_choice(checks)
+        check_interaction(checks)
     comparison = Comparison(checks)
     for picture in pictures:
         name = picture["name"]

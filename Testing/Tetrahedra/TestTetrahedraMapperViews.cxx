@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests one mapper in several windows and renderers, with resizing and releasing resources, depth
-// peeling, multisampling and level of detail. Images are compared with those of new mappers.
+// peeling and multisampling. Images are compared with those of new mappers.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/LargestError.h"
 #include "Support/Drawing/ImageCases.h"
@@ -325,39 +325,6 @@ void TestLevelOfDetailTime(Check& check)
     scene.Name +
       "level of detail: fraction of the time that is not measured: " + std::to_string(fraction));
 }
-
-void TestLevelOfDetail(Check& check, const Scene& scene)
-{
-  auto volume = scene.MakeVolume();
-  auto* mapper = Mapper::SafeDownCast(volume->GetMapper());
-  mapper->AutoAdjustLevelOfDetailOn();
-  View view(scene, volume, Slanted);
-  view.Window->SetDesiredUpdateRate(StillRate);
-  const RgbaImage expected = view.Draw();
-  const std::string name = scene.Name + "level of detail";
-  check.Equal(
-    mapper->GetReport()->GetCount("PixelStride"), 1, name + ": full resolution in the first frame");
-  for (int frame = 0; frame < 2; ++frame)
-  {
-    view.Window->SetDesiredUpdateRate(1e9);
-    const RgbaImage coarse = view.Draw();
-    check.That(
-      mapper->GetReport()->GetNumber("PixelStride") > 1, name + ": coarse at a high update rate");
-    const ImageError error = CompareImages(coarse, expected);
-    check.That(error.Max > 1e-3 && error.Mean < 0.05, name + ": a different but similar image");
-    view.Window->SetDesiredUpdateRate(StillRate);
-    ExpectSame(check, view.Draw(), expected, name + ": still");
-    check.Equal(
-      mapper->GetReport()->GetCount("PixelStride"), 1, name + ": full resolution when still");
-    check.Equal(
-      mapper->GetReport()->GetCount("TetrahedronStride"), 1, name + ": all tetrahedra when still");
-  }
-  mapper->AutoAdjustLevelOfDetailOff();
-  view.Window->SetDesiredUpdateRate(1e9);
-  ExpectSame(check, view.Draw(), expected, name + " off");
-  check.Equal(mapper->GetReport()->GetCount("PixelStride"), 1, name + " off: full resolution");
-}
-
 }
 
 int TestTetrahedraMapperViews(int, char*[])
@@ -379,7 +346,6 @@ int TestTetrahedraMapperViews(int, char*[])
       TestPeeling(check, scene, samples, false);
       TestPeeling(check, scene, samples, true);
     }
-    TestLevelOfDetail(check, scene);
   }
   TestLevelOfDetailTime(check);
   return check.Result();

@@ -2,7 +2,9 @@
 #ifndef interlume_LevelOfDetail_h
 #define interlume_LevelOfDetail_h
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace interlume
@@ -12,43 +14,117 @@ namespace interlume
  * @class   LevelOfDetail
  * @brief   chooses the level of detail for the available time
  *
- * Level 0 has full detail. Each further level halves either the image's width and height, at most
- * twice, or the number of tetrahedra. Choose() returns the finest level whose measured time does
- * not exceed the allocated time. A level that has not been measured is expected to take half the
- * time of the previous level. The number of tetrahedra is not reduced below MINIMUM_TETRAHEDRA.
+ * Level 0 has full detail, and level 1 half the image's width and height. Each further level draws
+ * half of the tetrahedra of the previous level, beginning with at most MAXIMUM_SUBSET. The last
+ * level has a quarter of the image's width and height. Subsets have at least MINIMUM_SUBSET
+ * tetrahedra.
+ *
+ * Times are expected to be proportional to GetCost(), from the closest measured level. Before the
+ * first measurement, they are estimated.
  */
 class LevelOfDetail
 {
 public:
-  static constexpr int LEVELS = 9;
-  static constexpr std::uint32_t MINIMUM_TETRAHEDRA = 20000;
+  static constexpr std::uint32_t MAXIMUM_SUBSET = 2000000;
+  static constexpr std::uint32_t MINIMUM_SUBSET = 20000;
 
   /// Clears the measured times. Call it when the mesh, the window size or the render path changes.
-  void Reset() { this->Seconds.fill(0.0); }
-  void AddMeasurement(int level, double seconds) { this->Seconds[level] = seconds; }
-
-  int Choose(double allocated, std::uint32_t tetrahedra) const
+  /// \a costSeconds is the estimated time per unit of GetCost().
+  void Reset(std::uint32_t tetrahedra, double costSeconds)
   {
-    double expected = this->Seconds[0];
+    *this = LevelOfDetail();
+    this->Tetrahedra = std::max(tetrahedra, 1u);
+    this->CostSeconds = costSeconds;
+    while (this->FirstShift < 31 && tetrahedra >> this->FirstShift > MAXIMUM_SUBSET)
+    {
+      ++this->FirstShift;
+    }
+    int subsets = 0;
+    while (tetrahedra >> (this->FirstShift + subsets) >= MINIMUM_SUBSET)
+    {
+      ++subsets;
+    }
+    this->Last = 2 + subsets;
+  }
+
+  /// Returns the finest level that is expected to take no more than the allocated time, or the last
+  /// level. To avoid flicker, a level must leave some of the time if it is finer than the previous
+  /// one.
+  int Choose(double allocated)
+  {
+    constexpr double margin = 0.7;
     int level = 0;
-    while (level + 1 < LEVELS && expected > allocated &&
-      (GetTetrahedronStride(level + 1) == 1 ||
-        tetrahedra / GetTetrahedronStride(level + 1) >= MINIMUM_TETRAHEDRA))
+    while (
+      level<this->Last&& this->GetExpectedSeconds(level)>(level < this->Current ? margin : 1.0) *
+      allocated)
     {
       ++level;
-      expected = this->Seconds[level] > 0.0 ? this->Seconds[level] : 0.5 * expected;
     }
+    this->Current = level > 0 ? level : this->Current;
     return level;
   }
 
-  static int GetPixelStride(int level) { return level == 0 ? 1 : level < 3 ? 2 : 4; }
-  static std::uint32_t GetTetrahedronStride(int level)
+  void AddMeasurement(int level, double seconds)
   {
-    return level < 2 ? 1u : level < 4 ? 2u : 1u << (level - 2);
+    const double before = this->Seconds[level];
+    if (level > 0 && before > 0.0)
+    {
+      // The view changed, which affects the other levels as well. The square root damps noise.
+      const double ratio = std::sqrt(seconds / before);
+      for (double& other : this->Seconds)
+      {
+        other *= ratio;
+      }
+    }
+    else
+    {
+      this->Seconds[level] = seconds;
+    }
+  }
+
+  int GetPixelStride(int level) const { return level == 0 ? 1 : level < this->Last ? 2 : 4; }
+  /// Returns the number of tetrahedra in the subset to draw, or 0 to draw the mesh.
+  std::uint32_t GetSubsetSize(int level) const
+  {
+    const int subset = std::min(level, this->Last - 1) - 2;
+    return subset < 0 ? 0 : this->Tetrahedra >> (this->FirstShift + subset);
+  }
+
+  /// Returns the expected time to draw a level.
+  double GetExpectedSeconds(int level) const
+  {
+    for (int distance = 0; distance <= this->Last; ++distance)
+    {
+      for (int measured : { level + distance, level - distance })
+      {
+        if (measured >= 0 && measured <= this->Last && this->Seconds[measured] > 0.0)
+        {
+          return this->Seconds[measured] * this->GetCost(level) / this->GetCost(measured);
+        }
+      }
+    }
+    return this->CostSeconds * this->GetCost(level);
   }
 
 private:
-  std::array<double, LEVELS> Seconds{};
+  /// Returns a relative cost: one unit for each tetrahedron, plus one for its pixels, which in a
+  /// subset are more because tetrahedra are enlarged.
+  double GetCost(int level) const
+  {
+    const std::uint32_t subset = this->GetSubsetSize(level);
+    const double number = subset > 0 ? subset : this->Tetrahedra;
+    const double pixels = std::pow(this->Tetrahedra / number, 2.0 / 3.0);
+    const double stride = this->GetPixelStride(level);
+    return number * (1.0 + pixels / (stride * stride));
+  }
+
+  std::uint32_t Tetrahedra = 1;
+  /// Level 2 has Tetrahedra >> FirstShift tetrahedra.
+  int FirstShift = 1;
+  int Last = 2;
+  int Current = 0;
+  double CostSeconds = 0.0;
+  std::array<double, 16> Seconds{};
 };
 
 }

@@ -63,7 +63,7 @@ std::vector<float> PieceImage::DrawPiece(Blends blend, const std::vector<std::ui
   frame.Blend = blend;
   frame.IsSum = true;
   frame.Order = tetrahedra ? tetrahedra : frame.Order;
-  this->Rasterizer.Draw(frame, []() { return false; });
+  this->Rasterizer.Draw(frame);
   return this->Rasterizer.GetColors();
 }
 

@@ -40,6 +40,9 @@ namespace
 {
 /// With more tetrahedra, MPVONC sorting takes longer than drawing.
 constexpr std::uint32_t MPVONC_LIMIT = 1000000;
+/// Estimated time per unit of LevelOfDetail::GetCost(), for one thread or a GPU.
+constexpr double CPU_SECONDS = 2e-7;
+constexpr double GPU_SECONDS = 1e-8;
 
 TetrahedraFrame::Blends GetBlend(int mode)
 {
@@ -81,6 +84,8 @@ struct TetrahedraRenderer::WindowResources
 {
   ImageQuad Quad;
   OpenGLRasterizer Rasterizer;
+  /// Draws subsets, so that the buffers of the mesh remain; null if no subset was drawn.
+  std::unique_ptr<OpenGLRasterizer> SubsetRasterizer;
   std::optional<DrawnState> Drawn;
   vtkIdType NumberDrawn = 0;
 };
@@ -100,29 +105,32 @@ Error TetrahedraRenderer::UpdateMesh(const Request& request, TetrahedraReport& r
     return {};
   }
   report.ValuesUpdated = true;
-  report.MeshRebuilt = !before.Grid || !this->MeshBuilder.IsSame(request.Grid, arrays, this->Mesh);
+  report.MeshRebuilt =
+    !before.Grid || !this->MeshBuilder.IsSame(request.Grid, arrays, this->Full.Mesh);
   this->MeshState = MeshKey();
   this->Property = nullptr;
   if (report.MeshRebuilt)
   {
     this->Boundary = nullptr;
-    BoundaryFaces::Clear(this->Fields);
-    this->Order.Reset();
-    this->LevelOfDetail.Reset();
-    if (Error error = this->MeshBuilder.Build(request.Grid, arrays, this->Mesh))
+    BoundaryFaces::Clear(this->Full.Fields);
+    this->Full.Order.Reset();
+    this->Subset = TetrahedraSubset();
+    this->Reduced.Mesh = TetrahedraMesh();
+    this->Reduced.Fields = TetrahedraFields();
+    if (Error error = this->MeshBuilder.Build(request.Grid, arrays, this->Full.Mesh))
     {
       return error;
     }
-    ++this->Frame.Versions.Mesh;
+    ++this->Full.Frame.Versions.Mesh;
   }
-  const std::vector<int> layers = this->Fields.Layers;
-  TetrahedraBuilder::BuildDeltaTAndLayers(arrays, this->Mesh, this->Fields);
-  if (layers != this->Fields.Layers)
+  const std::vector<int> layers = this->Full.Fields.Layers;
+  TetrahedraBuilder::BuildDeltaTAndLayers(arrays, this->Full.Mesh, this->Full.Fields);
+  if (layers != this->Full.Fields.Layers)
   {
-    this->Order.ResetLayers();
+    this->Full.Order.ResetLayers();
   }
   this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
-  ++this->Frame.Versions.Values;
+  ++this->Full.Frame.Versions.Values;
   return {};
 }
 
@@ -134,33 +142,33 @@ Error TetrahedraRenderer::UpdateColors(
   {
     return {};
   }
-  const std::vector<float> scalars = std::move(this->Fields.Scalars);
-  if (Error error =
-        TetrahedraBuilder::BuildColors(request.Arrays, this->Mesh, property, unit, this->Fields))
+  const std::vector<float> scalars = std::move(this->Full.Fields.Scalars);
+  if (Error error = TetrahedraBuilder::BuildColors(
+        request.Arrays, this->Full.Mesh, property, unit, this->Full.Fields))
   {
     return error;
   }
   // The property may select a different scalar component.
-  this->Frame.Versions.Values += scalars == this->Fields.Scalars ? 0 : 1;
-  if (this->Fields.Kind == TetrahedraFields::SCALARS)
+  this->Full.Frame.Versions.Values += scalars == this->Full.Fields.Scalars ? 0 : 1;
+  if (this->Full.Fields.Kind == TetrahedraFields::SCALARS)
   {
-    this->Pieces.Build(property, 0, this->Fields.Range, unit);
+    this->Pieces.Build(property, 0, this->Full.Fields.Range, unit);
   }
   this->Property = property;
   this->PropertyTime = property->GetMTime();
   this->ColorUnit = unit;
   this->HasOneColor = this->HasSingleColor();
-  ++this->Frame.Versions.Colors;
+  ++this->Full.Frame.Versions.Colors;
   return {};
 }
 
 bool TetrahedraRenderer::HasSingleColor() const
 {
-  if (this->Fields.Kind == TetrahedraFields::SCALARS)
+  if (this->Full.Fields.Kind == TetrahedraFields::SCALARS)
   {
     return this->Pieces.HasConstantColor();
   }
-  const auto& colors = this->Fields.Colors;
+  const auto& colors = this->Full.Fields.Colors;
   return std::all_of(colors.begin(), colors.end(),
     [&colors](const std::array<float, 4>& color)
     { return std::equal(color.begin(), color.begin() + 3, colors[0].begin()); });
@@ -198,7 +206,7 @@ void TetrahedraRenderer::ChooseRenderPath(
 void TetrahedraRenderer::ChooseShader(
   const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report)
 {
-  this->Frame.IsPulled = false;
+  this->Full.Frame.IsPulled = false;
   if (report.RenderPath != Mapper::OPENGL_PATH)
   {
     return;
@@ -212,7 +220,7 @@ void TetrahedraRenderer::ChooseShader(
     report.ShaderReason =
       isSoftware ? "OpenGL is a software implementation" : "many GPUs have slow geometry shaders";
   }
-  this->Frame.IsPulled = report.SilhouetteShader == Mapper::VERTEX_SHADER;
+  this->Full.Frame.IsPulled = report.SilhouetteShader == Mapper::VERTEX_SHADER;
 }
 
 void TetrahedraRenderer::ChooseSort(const Request& request, TetrahedraReport& report)
@@ -227,7 +235,7 @@ void TetrahedraRenderer::ChooseSort(const Request& request, TetrahedraReport& re
     report.SortMode = request.Mapper->GetSortMode();
     report.SortReason = "set by the user";
   }
-  else if (!this->Frame.Surface && this->HasOneColor)
+  else if (!this->Shown->Frame.Surface && this->HasOneColor)
   {
     report.SortReason = "there is a single color";
   }
@@ -236,7 +244,7 @@ void TetrahedraRenderer::ChooseSort(const Request& request, TetrahedraReport& re
     report.SortMode = Mapper::CENTROID_SORT;
     report.SortReason = "tetrahedra with an extent in time overlap";
   }
-  else if (this->Mesh.GetNumberOfTetrahedra() > MPVONC_LIMIT)
+  else if (this->Full.Mesh.GetNumberOfTetrahedra() > MPVONC_LIMIT)
   {
     report.SortMode = Mapper::CENTROID_SORT;
     report.SortReason = "there are more than " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
@@ -247,6 +255,11 @@ void TetrahedraRenderer::ChooseSort(const Request& request, TetrahedraReport& re
     report.SortReason =
       "colors differ, and there are at most " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
   }
+  if (this->Shown == &this->Reduced && report.SortMode == Mapper::MPVONC_SORT)
+  {
+    report.SortMode = Mapper::CENTROID_SORT;
+    report.SortReason = "a subset of the tetrahedra has no visibility order";
+  }
 }
 
 const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
@@ -256,9 +269,9 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
   report.Passes = 1;
   if (report.BlendMode == Mapper::PRIORITY_BLEND)
   {
-    order =
-      this->Order.ComputeLayerOrder(this->Fields.Layers, request.Mapper->GetLayerPriorities());
-    report.Layers = this->Order.GetNumberOfLayers();
+    order = this->Shown->Order.ComputeLayerOrder(
+      this->Shown->Fields.Layers, request.Mapper->GetLayerPriorities());
+    report.Layers = this->Shown->Order.GetNumberOfLayers();
     report.Passes = report.Layers;
   }
   else
@@ -266,75 +279,103 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
     const auto kind = report.SortMode == Mapper::CENTROID_SORT ? TetrahedraOrder::CENTROID
       : report.SortMode == Mapper::MPVONC_SORT                 ? TetrahedraOrder::VISIBILITY
                                                                : TetrahedraOrder::NONE;
-    order = this->Order.Compute(kind, this->Mesh, this->Frame.View);
-    report.Sorted = this->Order.WasComputed();
+    order = this->Shown->Order.Compute(kind, this->Shown->Mesh, this->Shown->Frame.View);
+    report.Sorted = this->Shown->Order.WasComputed();
   }
-  this->Frame.Versions.Order += this->Order.WasComputed() ? 1 : 0;
+  this->Shown->Frame.Versions.Order += this->Shown->Order.WasComputed() ? 1 : 0;
   if (report.SortMode == Mapper::MPVONC_SORT)
   {
-    report.Cycles = this->Order.GetCycles();
-    report.Gaps = this->Order.GetGaps();
+    report.Cycles = this->Shown->Order.GetCycles();
+    report.Gaps = this->Shown->Order.GetGaps();
   }
-  report.HasAdjacency = this->Order.HasAdjacency();
+  report.HasAdjacency = this->Shown->Order.HasAdjacency();
   return order;
 }
 
 int TetrahedraRenderer::ChooseLevel(
   vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
 {
-  const std::array<int, 3> conditions{ { report.RenderPath, renderer->GetSize()[0],
-    renderer->GetSize()[1] } };
+  const std::array<int, 4> conditions{ { report.RenderPath, renderer->GetSize()[0],
+    renderer->GetSize()[1], this->Full.Frame.Versions.Mesh } };
+  const std::uint32_t tetrahedra = this->Full.Mesh.GetNumberOfTetrahedra();
   if (conditions != this->LevelConditions)
   {
-    this->LevelOfDetail.Reset();
+    this->LevelOfDetail.Reset(tetrahedra,
+      report.RenderPath == Mapper::OPENGL_PATH
+        ? GPU_SECONDS
+        : CPU_SECONDS / vtkSMPTools::GetEstimatedNumberOfThreads());
     this->LevelConditions = conditions;
   }
-  const int level = request.Mapper->GetAutoAdjustLevelOfDetail() && !renderer->GetSelector()
-    ? this->LevelOfDetail.Choose(
-        volume->GetAllocatedRenderTime(), this->Mesh.GetNumberOfTetrahedra())
-    : 0;
-  report.PixelStride = interlume::LevelOfDetail::GetPixelStride(level);
-  this->Frame.TetrahedronStride = interlume::LevelOfDetail::GetTetrahedronStride(level);
-  report.TetrahedronStride = static_cast<int>(this->Frame.TetrahedronStride);
+  const bool isAdjusted = request.Mapper->GetAutoAdjustLevelOfDetail() && !renderer->GetSelector();
+  const int level = isAdjusted ? this->LevelOfDetail.Choose(volume->GetAllocatedRenderTime()) : 0;
+  report.PixelStride = this->LevelOfDetail.GetPixelStride(level);
+  const std::uint32_t subset = this->LevelOfDetail.GetSubsetSize(level);
+  report.TetrahedronStride = subset > 0 ? static_cast<int>(tetrahedra / subset) : 1;
   return level;
 }
 
-Error TetrahedraRenderer::UpdateFrame(
-  vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
+Error TetrahedraRenderer::UpdateFrame(vtkRenderer* renderer, vtkVolume* volume,
+  const Request& request, std::uint32_t subset, TetrahedraReport& report)
 {
-  if (Error error = this->Frame.View.Set(renderer, volume, this->Mesh, report.PixelStride))
+  TetrahedraFrame& frame = this->Full.Frame;
+  if (Error error = frame.View.Set(renderer, volume, this->Full.Mesh, report.PixelStride))
   {
     return error;
   }
   vtkVolumeProperty* property = volume->GetProperty();
-  this->Frame.ExtinctionUnit =
-    this->Frame.View.GetUnit() / property->GetScalarOpacityUnitDistance();
-  if (Error error = this->UpdateColors(request, property, this->Frame.ExtinctionUnit))
+  frame.ExtinctionUnit = frame.View.GetUnit() / property->GetScalarOpacityUnitDistance();
+  if (Error error = this->UpdateColors(request, property, frame.ExtinctionUnit))
   {
     return error;
   }
   report.ControlPoints =
-    this->Fields.Kind == TetrahedraFields::SCALARS ? this->Pieces.GetNumberOfPieces() + 1 : 0;
+    this->Full.Fields.Kind == TetrahedraFields::SCALARS ? this->Pieces.GetNumberOfPieces() + 1 : 0;
   this->UpdateBoundary(renderer, request, report);
-  this->ChooseSort(request, report);
-  if (Error error = this->ClipMesh(request, this->UpdateOrder(request, report)))
+  frame.Mesh = &this->Full.Mesh;
+  frame.Fields = &this->Full.Fields;
+  frame.Pieces = &this->Pieces;
+  frame.Blend = GetBlend(report.BlendMode);
+  frame.IsExact = request.Mapper->GetIntegrationMode() == Mapper::LINEAR_SEGMENT;
+  frame.PixelStride = report.PixelStride;
+  this->Shown = &this->Full;
+  if (subset > 0)
   {
-    return error;
+    this->UpdateSubset(subset);
   }
-  report.TetrahedraClipped = this->Clip.GetNumberOfClippedTetrahedra();
-
-  this->Frame.Mesh = &this->Mesh;
-  this->Frame.Fields = &this->Fields;
-  this->Frame.Pieces = &this->Pieces;
-  this->Frame.Blend = GetBlend(report.BlendMode);
-  this->Frame.IsExact = request.Mapper->GetIntegrationMode() == Mapper::LINEAR_SEGMENT;
-  this->Frame.PixelStride = report.PixelStride;
   return {};
+}
+
+void TetrahedraRenderer::UpdateSubset(std::uint32_t number)
+{
+  Detail& reduced = this->Reduced;
+  TetrahedraFrame::Changes versions = reduced.Frame.Versions;
+  if (this->Subset.Update(this->Full.Frame, number, reduced.Mesh, reduced.Fields))
+  {
+    reduced.Order.Reset();
+    ++versions.Mesh;
+    ++versions.Values;
+    ++versions.Colors;
+  }
+  versions.Surface = this->Full.Frame.Versions.Surface;
+  versions.Boundary = this->Full.Frame.Versions.Boundary;
+  reduced.Frame = this->Full.Frame;
+  reduced.Frame.Versions = versions;
+  reduced.Frame.Mesh = &reduced.Mesh;
+  reduced.Frame.Fields = &reduced.Fields;
+  this->Shown = &reduced;
+}
+
+Error TetrahedraRenderer::ArrangeFrame(const Request& request, TetrahedraReport& report)
+{
+  this->ChooseSort(request, report);
+  const Error error = this->ClipMesh(request, this->UpdateOrder(request, report));
+  report.TetrahedraClipped = error ? 0 : this->Shown->Clip.GetNumberOfClippedTetrahedra();
+  return error;
 }
 
 Error TetrahedraRenderer::ClipMesh(const Request& request, const std::vector<std::uint32_t>* order)
 {
-  const TetrahedraView& view = this->Frame.View;
+  const TetrahedraView& view = this->Shown->Frame.View;
   std::vector<PlaneClip::Plane> planes{ view.GetNearPlane() };
   vtkPlaneCollection* clipping = request.Mapper->GetClippingPlanes();
   const int number = clipping ? clipping->GetNumberOfItems() : 0;
@@ -348,9 +389,10 @@ Error TetrahedraRenderer::ClipMesh(const Request& request, const std::vector<std
         " has a normal of length 0, or its normal or origin is not finite; correct the plane";
     }
   }
-  this->Clip.Append(this->Mesh, this->Fields, planes, view.GetRays().Viewpoint, order);
-  this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : order;
-  this->Frame.Planes = this->Clip.GetPlanes();
+  this->Shown->Clip.Append(
+    this->Shown->Mesh, this->Shown->Fields, planes, view.GetRays().Viewpoint, order);
+  this->Shown->Frame.Order = this->Shown->Clip.IsActive() ? &this->Shown->Clip.GetOrder() : order;
+  this->Shown->Frame.Planes = this->Shown->Clip.GetPlanes();
   return {};
 }
 
@@ -361,7 +403,7 @@ void TetrahedraRenderer::DrawFrame(
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     if (const Error error =
-          resources.Rasterizer.FindError(window, this->Frame)
+          resources.Rasterizer.FindError(window, this->Shown->Frame)
             .Then([&] { return this->DrawWithOpenGL(renderer, volume, resources, report); }))
     {
       report.RenderPath = Mapper::SOFTWARE_PATH;
@@ -403,63 +445,71 @@ Error TetrahedraRenderer::Render(
     return { "the render window is not a vtkOpenGLRenderWindow; use an OpenGL window",
       ErrorCode::OpenGL };
   }
-  if (request.Pieces)
-  {
-    Error error = this->RenderPieces(renderer, volume, request, *window, report);
-    this->Clip.Remove(this->Mesh, this->Fields);
-    report.Seconds = vtkTimerLog::GetUniversalTime() - start;
-    report.MemoryBytes = this->GetMemoryBytes();
-    return error;
-  }
+  Error error = request.Pieces ? this->RenderPieces(renderer, volume, request, *window, report)
+                               : this->RenderMesh(renderer, volume, request, *window, report);
+  this->Shown->Clip.Remove(this->Shown->Mesh, this->Shown->Fields);
+  report.Seconds = vtkTimerLog::GetUniversalTime() - start;
+  report.MemoryBytes = this->GetMemoryBytes();
+  return error;
+}
+
+Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
+  const Request& request, vtkOpenGLRenderWindow& window, TetrahedraReport& report)
+{
   Error error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
-  if (error || this->Mesh.Corners.empty())
+  if (error || this->Full.Mesh.Corners.empty() || window.CheckAbortStatus())
   {
     return error;
   }
   this->ChooseBlend(request, report);
-  this->ChooseRenderPath(request, window, report);
-  this->ChooseShader(request, window, report);
+  this->ChooseRenderPath(request, &window, report);
+  this->ChooseShader(request, &window, report);
   const int level = this->ChooseLevel(renderer, volume, request, report);
-  error = this->UpdateFrame(renderer, volume, request, report);
+  error =
+    this->UpdateFrame(renderer, volume, request, this->LevelOfDetail.GetSubsetSize(level), report);
+  // Changes of the data take time only once, so the level of detail does not depend on it.
+  const double start = vtkTimerLog::GetUniversalTime();
+  error = error ? error : this->ArrangeFrame(request, report);
   if (error)
   {
     return error;
   }
-  WindowResources& resources = this->GetResources(window);
-  vtkHardwareSelector* selector = renderer->GetSelector();
-  if (selector)
+  WindowResources& resources = this->GetResources(&window);
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     this->Select(renderer, selector, resources);
-  }
-  else
-  {
-    this->DrawFrame(renderer, volume, resources, report);
-  }
-  this->Clip.Remove(this->Mesh, this->Fields);
-  if (selector)
-  {
     return {};
   }
+  this->DrawFrame(renderer, volume, resources, report);
   if (request.Mapper->GetAutoAdjustLevelOfDetail() && report.RenderPath == Mapper::OPENGL_PATH)
   {
     // OpenGL is asynchronous. Wait, because the level of detail depends on the time until drawing
     // is complete.
     glFinish();
   }
-  report.Seconds = vtkTimerLog::GetUniversalTime() - start;
-  this->LevelOfDetail.AddMeasurement(level, report.Seconds);
-  report.MemoryBytes = this->GetMemoryBytes();
+  // The software path may show the previous image again, or stop.
+  if (report.RenderPath == Mapper::OPENGL_PATH || report.UploadedImageBytes > 0)
+  {
+    this->LevelOfDetail.AddMeasurement(level, vtkTimerLog::GetUniversalTime() - start);
+  }
   return {};
 }
 
 Error TetrahedraRenderer::DrawWithOpenGL(
   vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report)
 {
-  Error error = resources.Rasterizer.Draw(renderer, this->Frame,
+  if (this->Shown == &this->Reduced && !resources.SubsetRasterizer)
+  {
+    resources.SubsetRasterizer = std::make_unique<OpenGLRasterizer>();
+  }
+  OpenGLRasterizer& rasterizer =
+    this->Shown == &this->Reduced ? *resources.SubsetRasterizer : resources.Rasterizer;
+  Error error = rasterizer.Draw(renderer, this->Shown->Frame,
     SceneDepth::MayOcclude(renderer, volume) || this->IsCutByFarPlane(), report);
-  report.TetrahedraDrawn = static_cast<vtkIdType>(
-    this->Frame.Order ? this->Frame.Order->size() : this->Mesh.GetNumberOfTetrahedra());
+  report.TetrahedraDrawn =
+    static_cast<vtkIdType>(this->Shown->Frame.Order ? this->Shown->Frame.Order->size()
+                                                    : this->Shown->Mesh.GetNumberOfTetrahedra());
   return error;
 }
 
@@ -469,24 +519,24 @@ void TetrahedraRenderer::DrawInSoftware(
   this->ReadDepth(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   report.Features = this->GetFeatures();
-  const DrawnState state = { this->Frame, false, this->Depth.GetDepths(), {} };
+  const DrawnState state = { this->Shown->Frame, false, this->Depth.GetDepths(), {} };
   // Reuse the image if neither the camera nor the scene changed.
   if (!(resources.Drawn == state))
   {
     const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
-    if (!this->Rasterizer.Draw(this->Frame, isAborted))
+    if (!this->Rasterizer.Draw(this->Shown->Frame, isAborted))
     {
       return;
     }
-    report.UploadedImageBytes = resources.Quad.Upload(window, this->Frame.View.GetWidth(),
-      this->Frame.View.GetHeight(), this->Rasterizer.GetColors());
+    report.UploadedImageBytes = resources.Quad.Upload(window, this->Shown->Frame.View.GetWidth(),
+      this->Shown->Frame.View.GetHeight(), this->Rasterizer.GetColors());
     resources.Drawn = state;
     resources.NumberDrawn = this->Rasterizer.GetNumberOfDrawnTetrahedra();
   }
   report.TetrahedraDrawn = resources.NumberDrawn;
   report.Buffers = 1;
-  report.BufferBytes =
-    16 * static_cast<vtkIdType>(this->Frame.View.GetWidth()) * this->Frame.View.GetHeight();
+  report.BufferBytes = 16 * static_cast<vtkIdType>(this->Shown->Frame.View.GetWidth()) *
+    this->Shown->Frame.View.GetHeight();
   resources.Quad.Draw(window);
 }
 
@@ -499,12 +549,12 @@ Error TetrahedraRenderer::UpdatePiece(
   }
   Error error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
-  if (error || this->Mesh.Corners.empty())
+  if (error || this->Full.Mesh.Corners.empty())
   {
     return error;
   }
-  this->Frame.TetrahedronStride = 1;
-  return this->UpdateFrame(renderer, volume, request, report);
+  error = this->UpdateFrame(renderer, volume, request, 0, report);
+  return error ? error : this->ArrangeFrame(request, report);
 }
 
 std::vector<int> TetrahedraRenderer::FindPieceOrder(
@@ -534,7 +584,7 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   report.PathReason = "the images of several processes are combined on the CPU";
   this->ChooseBlend(request, report);
   const Error error = this->UpdatePiece(renderer, volume, request, report);
-  const bool hasPiece = request.Grid && !error && !this->Mesh.Corners.empty();
+  const bool hasPiece = request.Grid && !error && !this->Full.Mesh.Corners.empty();
 
   // Redraw in all processes if something changed in any of them.
   std::array<int, 2> size{ { 0, 0 } };
@@ -544,7 +594,7 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   DrawnState state;
   if (hasPiece)
   {
-    state.Frame = this->Frame;
+    state.Frame = this->Full.Frame;
   }
   state.Frame.Blend = GetBlend(report.BlendMode);
   state.IsPiece = true;
@@ -569,7 +619,7 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
     {
       this->SetOpaqueDepth();
     }
-    PieceImage image(pieces, hasPiece ? &this->Frame : nullptr, pixels, this->Rasterizer);
+    PieceImage image(pieces, hasPiece ? &this->Full.Frame : nullptr, pixels, this->Rasterizer);
     std::vector<float> colors =
       image.Draw(state.Frame.Blend, request.Mapper->GetLayerPriorities(), state.PieceOrder);
     for (std::size_t p = 0; p < pixels; ++p)
@@ -608,21 +658,21 @@ void TetrahedraRenderer::DrawSelection(
 {
   // Cell ids depend neither on order nor on color. Both render paths draw them with the software
   // rasterizer.
-  this->Frame.Blend = TetrahedraFrame::SELECTION;
-  this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : nullptr;
+  this->Shown->Frame.Blend = TetrahedraFrame::SELECTION;
+  this->Shown->Frame.Order = this->Shown->Clip.IsActive() ? &this->Shown->Clip.GetOrder() : nullptr;
   this->ReadDepth(renderer);
-  this->Rasterizer.Draw(this->Frame, []() { return false; });
+  this->Rasterizer.Draw(this->Shown->Frame);
   std::vector<vtkIdType> cells;
   cells.reserve(this->Rasterizer.GetTetrahedra().size());
   for (std::uint32_t tetrahedron : this->Rasterizer.GetTetrahedra())
   {
-    const std::uint32_t original = tetrahedron ? this->Clip.GetOriginal(tetrahedron - 1) : 0;
-    const vtkIdType cell =
-      this->Mesh.Cells.empty() ? static_cast<vtkIdType>(original) : this->Mesh.Cells[original];
+    const std::uint32_t original = tetrahedron ? this->Shown->Clip.GetOriginal(tetrahedron - 1) : 0;
+    const vtkIdType cell = this->Shown->Mesh.Cells.empty() ? static_cast<vtkIdType>(original)
+                                                           : this->Shown->Mesh.Cells[original];
     cells.push_back(tetrahedron ? cell + 1 : 0);
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const TetrahedraView& view = this->Frame.View;
+  const TetrahedraView& view = this->Shown->Frame.View;
   resources.Quad.Upload(window, view.GetWidth(), view.GetHeight(),
     TetrahedraSelection::MakeImage(selector, view, cells, this->Rasterizer.GetDepths()), false);
   resources.Quad.Draw(window, "SELECTION");
@@ -632,14 +682,14 @@ void TetrahedraRenderer::DrawSelection(
 void TetrahedraRenderer::UpdateBoundary(
   vtkRenderer* renderer, const Request& request, TetrahedraReport& report)
 {
-  this->Frame.Surface = nullptr;
+  this->Full.Frame.Surface = nullptr;
   if (!request.Boundary)
   {
     if (this->Boundary)
     {
-      BoundaryFaces::Clear(this->Fields);
+      BoundaryFaces::Clear(this->Full.Fields);
       this->Boundary = nullptr;
-      ++this->Frame.Versions.Surface;
+      ++this->Full.Frame.Versions.Surface;
     }
     return;
   }
@@ -652,20 +702,20 @@ void TetrahedraRenderer::UpdateBoundary(
     this->Boundary = request.Boundary;
     this->BoundaryTime = request.Boundary->GetMTime();
     this->BoundaryCounts =
-      BoundaryFaces::Build(request.Boundary, request.Grid, this->Mesh, this->Fields);
-    ++this->Frame.Versions.Surface;
-    ++this->Frame.Versions.Boundary;
+      BoundaryFaces::Build(request.Boundary, request.Grid, this->Full.Mesh, this->Full.Fields);
+    ++this->Full.Frame.Versions.Surface;
+    ++this->Full.Frame.Versions.Boundary;
   }
   report.BoundaryTriangles = this->BoundaryCounts.Triangles;
   report.UnmatchedTriangles = this->BoundaryCounts.Unmatched;
   if (this->BoundaryCounts.Triangles > 0)
   {
     const BoundaryShading before = this->Shading;
-    this->Shading.Set(renderer, this->Frame.View, request.Mapper->GetBoundaryProperty(),
+    this->Shading.Set(renderer, this->Full.Frame.View, request.Mapper->GetBoundaryProperty(),
       request.Mapper->GetBoundaryTexture());
-    this->Frame.Versions.Surface += before == this->Shading ? 0 : 1;
-    this->Frame.Versions.Boundary += before.HasSameImage(this->Shading) ? 0 : 1;
-    this->Frame.Surface = &this->Shading;
+    this->Full.Frame.Versions.Surface += before == this->Shading ? 0 : 1;
+    this->Full.Frame.Versions.Boundary += before.HasSameImage(this->Shading) ? 0 : 1;
+    this->Full.Frame.Surface = &this->Shading;
   }
 }
 
@@ -677,39 +727,45 @@ void TetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 
 void TetrahedraRenderer::SetOpaqueDepth()
 {
-  this->Depth.Resample(this->Frame.View, this->Frame.PixelStride, this->IsCutByFarPlane());
-  this->Frame.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
+  this->Depth.Resample(
+    this->Shown->Frame.View, this->Shown->Frame.PixelStride, this->IsCutByFarPlane());
+  this->Shown->Frame.Opaque =
+    this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
 }
 
 bool TetrahedraRenderer::IsCutByFarPlane() const
 {
-  return this->Mesh.HasPointBehind(this->Frame.View.GetFarPlane(), 0.0);
+  return this->Shown->Mesh.HasPointBehind(this->Shown->Frame.View.GetFarPlane(), 0.0);
 }
 
 vtkIdType TetrahedraRenderer::GetMemoryBytes() const
 {
   std::size_t bytes =
-    this->MeshBuilder.GetBytes() + this->Order.GetBytes() + this->Rasterizer.GetBytes();
+    this->MeshBuilder.GetBytes() + this->Rasterizer.GetBytes() + this->Subset.GetBytes();
   const auto add = [&bytes](const auto& values) { bytes += values.capacity() * sizeof(values[0]); };
-  add(this->Mesh.Points);
-  add(this->Mesh.Corners);
-  add(this->Mesh.Cells);
-  add(this->Fields.Scalars);
-  add(this->Fields.Colors);
-  add(this->Fields.DeltaT);
-  add(this->Fields.Layers);
-  add(this->Fields.Normals);
+  for (const Detail* detail : { &this->Full, &this->Reduced })
+  {
+    bytes += detail->Order.GetBytes();
+    add(detail->Mesh.Points);
+    add(detail->Mesh.Corners);
+    add(detail->Mesh.Cells);
+    add(detail->Fields.Scalars);
+    add(detail->Fields.Colors);
+    add(detail->Fields.DeltaT);
+    add(detail->Fields.Layers);
+    add(detail->Fields.Normals);
+  }
   return static_cast<vtkIdType>(bytes);
 }
 
 std::string TetrahedraRenderer::GetFeatures() const
 {
-  const TetrahedraFrame& frame = this->Frame;
-  std::string features = this->Fields.Kind == TetrahedraFields::SCALARS ? "scalars"
-    : this->Fields.Kind == TetrahedraFields::POINT_COLORS               ? "point-colors"
-                                                                        : "cell-colors";
+  const TetrahedraFrame& frame = this->Shown->Frame;
+  std::string features = this->Shown->Fields.Kind == TetrahedraFields::SCALARS ? "scalars"
+    : this->Shown->Fields.Kind == TetrahedraFields::POINT_COLORS               ? "point-colors"
+                                                                               : "cell-colors";
   features += frame.View.IsParallel() ? " parallel" : " perspective";
-  features += this->Fields.DeltaT.empty() ? "" : " delta-t";
+  features += this->Shown->Fields.DeltaT.empty() ? "" : " delta-t";
   features += frame.Opaque ? " opaque" : "";
   features += frame.Surface ? " surface" : "";
   return features + (frame.IsExact ? " exact" : " average");
@@ -723,6 +779,10 @@ void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
     {
       resources.second->Quad.ReleaseGraphicsResources(resources.first);
       resources.second->Rasterizer.ReleaseGraphicsResources(resources.first);
+      if (resources.second->SubsetRasterizer)
+      {
+        resources.second->SubsetRasterizer->ReleaseGraphicsResources(resources.first);
+      }
     }
   }
   if (window)

@@ -4,6 +4,7 @@
 
 #include "Common/Error.h"
 #include "Draw/LevelOfDetail.h"
+#include "Draw/TetrahedraSubset.h"
 #include "Frame/BoundaryShading.h"
 #include "Frame/PlaneClip.h"
 #include "Frame/TetrahedraFrame.h"
@@ -88,9 +89,13 @@ private:
   /// Returns the level of detail; 0 is full detail.
   int ChooseLevel(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
-  /// Updates the changed parts of the frame. Returns an error if it cannot be drawn.
-  Error UpdateFrame(
-    vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
+  /// Updates the changed parts of the frame, and sets Shown. If \a subset is not 0, draws a subset
+  /// of this size. Returns an error if the frame cannot be drawn.
+  Error UpdateFrame(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    std::uint32_t subset, TetrahedraReport& report);
+  void UpdateSubset(std::uint32_t number);
+  /// Sorts and clips the tetrahedra. Returns an error if a clipping plane is invalid.
+  Error ArrangeFrame(const Request& request, TetrahedraReport& report);
   /// Cuts the mesh at the near plane and the clipping planes, and sets the frame's drawing order.
   /// Returns an error if a clipping plane is invalid.
   Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
@@ -101,6 +106,9 @@ private:
   Error DrawWithOpenGL(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
   void DrawInSoftware(vtkRenderer* renderer, WindowResources& resources, TetrahedraReport& report);
+  /// Draws the image of this process's partition.
+  Error RenderMesh(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    vtkOpenGLRenderWindow& window, TetrahedraReport& report);
   /// Draws the image of all partitions, together with the other processes.
   Error RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     vtkOpenGLRenderWindow& window, TetrahedraReport& report);
@@ -122,6 +130,16 @@ private:
   std::string GetFeatures() const;
   vtkIdType GetMemoryBytes() const;
 
+  /// The mesh or a subset of it, and the state to draw it.
+  struct Detail
+  {
+    TetrahedraMesh Mesh;
+    TetrahedraFields Fields;
+    TetrahedraOrder Order;
+    PlaneClip Clip;
+    TetrahedraFrame Frame;
+  };
+
   /// The data that the mesh was built from.
   struct MeshKey
   {
@@ -142,18 +160,18 @@ private:
   BoundaryFaces::Counts BoundaryCounts;
   BoundaryShading Shading;
 
-  TetrahedraMesh Mesh;
-  TetrahedraFields Fields;
+  Detail Full;
+  Detail Reduced;
+  /// The one to draw.
+  Detail* Shown = &this->Full;
   PiecewiseLinearTransferFunction Pieces;
   interlume::MeshBuilder MeshBuilder;
-  TetrahedraOrder Order;
-  PlaneClip Clip;
   OpaqueSceneDepth Depth;
-  TetrahedraFrame Frame;
   SoftwareRasterizer Rasterizer;
   interlume::LevelOfDetail LevelOfDetail;
-  /// Render path and viewport size for which LevelOfDetail has measured times.
-  std::array<int, 3> LevelConditions{};
+  /// Render path, viewport size and version of the mesh for which LevelOfDetail has measured times.
+  std::array<int, 4> LevelConditions{};
+  TetrahedraSubset Subset;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };
 

@@ -79,24 +79,13 @@ struct TetrahedraFrame
   bool IsPulled = false;
   /// Number of viewport pixels per image pixel, in x and in y.
   int PixelStride = 1;
-  /// Number of tetrahedra that each drawn tetrahedron represents.
-  std::uint32_t TetrahedronStride = 1;
 
   /// Returns true if both frames give the same image for the same depths of opaque surfaces.
   bool HasSameImage(const TetrahedraFrame& other) const
   {
-    return this->Versions == other.Versions && this->View == other.View &&
-      this->Planes == other.Planes && this->Blend == other.Blend &&
-      this->IsExact == other.IsExact && this->PixelStride == other.PixelStride &&
-      this->TetrahedronStride == other.TetrahedronStride;
-  }
-
-  /// Returns true if a tetrahedron is drawn at this level of detail.
-  bool IsDrawn(std::uint32_t tetrahedron) const
-  {
-    // Knuth's multiplicative hash avoids spatial patterns.
-    return this->TetrahedronStride == 1 ||
-      ((tetrahedron * 2654435761u) >> 8) % this->TetrahedronStride == 0;
+    return this->Mesh == other.Mesh && this->Versions == other.Versions &&
+      this->View == other.View && this->Planes == other.Planes && this->Blend == other.Blend &&
+      this->IsExact == other.IsExact && this->PixelStride == other.PixelStride;
   }
 };
 

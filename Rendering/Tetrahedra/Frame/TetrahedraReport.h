@@ -76,7 +76,7 @@ struct TetrahedraReport
   vtkIdType MemoryBytes = 0;
 
   /// Level of detail: number of viewport pixels per computed pixel in x and in y (1, 2 or 4), and
-  /// number of tetrahedra per drawn tetrahedron. Both are 1 in full detail.
+  /// number of tetrahedra per tetrahedron of the subset. Both are 1 in full detail.
   int PixelStride = 1;
   int TetrahedronStride = 1;
   /// Number of control points of the piecewise linear transfer functions.

@@ -2,15 +2,19 @@
 #include "Mesh/TetrahedraBuilder.h"
 
 #include "Common/ArrayCheck.h"
+#include "Common/ThreadLocals.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkSMPTools.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace interlume
 {
@@ -84,6 +88,57 @@ std::array<float, 4> GetColor(
   return { { static_cast<float>(color[0]), static_cast<float>(color[1]),
     static_cast<float>(color[2]), static_cast<float>(extinction) } };
 }
+
+// Sets the scalars and their range.
+void BuildScalars(
+  vtkDataArray* scalars, int component, std::size_t points, TetrahedraFields& fields)
+{
+  using Range = std::array<double, 2>;
+  const auto number = static_cast<vtkIdType>(points);
+  constexpr Range none = { { std::numeric_limits<double>::max(),
+    std::numeric_limits<double>::lowest() } };
+  Range all = none;
+  ThreadLocals<std::optional<Range>> ranges;
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      std::optional<Range>& range = ranges.Local();
+      range = range.value_or(none);
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        if (TetrahedraArrays::IsFinite(scalars, p))
+        {
+          const double value = GetValue(scalars, p, component);
+          (*range)[0] = std::min((*range)[0], value);
+          (*range)[1] = std::max((*range)[1], value);
+        }
+      }
+    });
+  for (const std::optional<Range>& range : ranges)
+  {
+    all = { { std::min(all[0], (*range)[0]), std::max(all[1], (*range)[1]) } };
+  }
+  std::copy(all.begin(), all.end(), fields.Range);
+  fields.Scalars.resize(points);
+  // Halve the values first, so that their difference cannot overflow.
+  const double low = 0.5 * all[0];
+  const double width = 0.5 * all[1] - low;
+  if (!(width > 0.0))
+  {
+    return;
+  }
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType p = first; p < last; ++p)
+      {
+        const double value = GetValue(scalars, p, component);
+        const double fraction = (0.5 * value - low) / width;
+        fields.Scalars[p] =
+          TetrahedraArrays::IsFinite(scalars, p) ? static_cast<float>(fraction) : 0.0f;
+      }
+    });
+}
 }
 
 void TetrahedraBuilder::BuildDeltaTAndLayers(
@@ -95,12 +150,15 @@ void TetrahedraBuilder::BuildDeltaTAndLayers(
   if (arrays.DeltaT)
   {
     fields.DeltaT.resize(points);
-    for (std::size_t p = 0; p < points; ++p)
-    {
-      // The value may be NaN or infinity, but then no tetrahedron of the mesh uses the point.
-      fields.DeltaT[p] =
-        static_cast<float>(arrays.DeltaT->GetComponent(static_cast<vtkIdType>(p), 0));
-    }
+    vtkSMPTools::For(0, static_cast<vtkIdType>(points),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType p = first; p < last; ++p)
+        {
+          // The value may be NaN or infinity, but then no tetrahedron of the mesh uses the point.
+          fields.DeltaT[p] = static_cast<float>(arrays.DeltaT->GetComponent(p, 0));
+        }
+      });
   }
   if (arrays.Layers)
   {
@@ -129,8 +187,6 @@ Error TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays, const Tetra
   }
   const int component = GetColoringComponent(scalars, property);
   const std::size_t points = mesh.Points.size() / 3;
-  const auto isFinite = [&](std::size_t id)
-  { return TetrahedraArrays::IsFinite(scalars, static_cast<vtkIdType>(id)); };
   if (arrays.HasCellScalars)
   {
     fields.Kind = TetrahedraFields::CELL_COLORS;
@@ -144,34 +200,13 @@ Error TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays, const Tetra
   else
   {
     fields.Kind = TetrahedraFields::SCALARS;
-    fields.Scalars.resize(points);
-    double& low = fields.Range[0];
-    double& high = fields.Range[1];
-    low = std::numeric_limits<double>::max();
-    high = std::numeric_limits<double>::lowest();
-    for (std::size_t p = 0; p < points; ++p)
-    {
-      if (isFinite(p))
-      {
-        const double value = GetValue(scalars, static_cast<vtkIdType>(p), component);
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-    }
-    // Halve the values first, so that their difference cannot overflow.
-    const double width = 0.5 * high - 0.5 * low;
-    for (std::size_t p = 0; p < points && width > 0.0; ++p)
-    {
-      const double value = GetValue(scalars, static_cast<vtkIdType>(p), component);
-      const double fraction = (0.5 * value - 0.5 * low) / width;
-      fields.Scalars[p] = isFinite(p) ? static_cast<float>(fraction) : 0.0f;
-    }
+    BuildScalars(scalars, component, points, fields);
     return {};
   }
   for (std::size_t i = 0; i < fields.Colors.size(); ++i)
   {
     const std::size_t id = arrays.HasCellScalars && !mesh.Cells.empty() ? mesh.Cells[i] : i;
-    if (isFinite(id))
+    if (TetrahedraArrays::IsFinite(scalars, static_cast<vtkIdType>(id)))
     {
       fields.Colors[i] = GetColor(scalars, static_cast<vtkIdType>(id), component, property, unit);
     }

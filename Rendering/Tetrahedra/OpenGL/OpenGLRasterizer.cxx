@@ -125,7 +125,6 @@ std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool has
   {
     features += frame.Surface->GetImage().empty() ? " SURFACE" : " SURFACE SURFACE_TEXTURE";
   }
-  features += frame.TetrahedronStride > 1 ? " TETRAHEDRON_STRIDE" : "";
   features += frame.Order ? " ORDERED" : "";
   if (frame.Blend == TetrahedraFrame::MAXIMUM)
   {
@@ -322,16 +321,8 @@ void OpenGLRasterizer::SetUniforms(
     matrix[1] * (matrix[4] * matrix[10] - matrix[6] * matrix[8]) +
     matrix[2] * (matrix[4] * matrix[9] - matrix[5] * matrix[8]);
   program->SetUniformf("volumeScale", static_cast<float>(-determinant));
-  const auto stride = static_cast<float>(frame.TetrahedronStride);
-  if (view.IsParallel())
-  {
-    program->SetUniformf(
-      "lengthScale", stride * static_cast<float>(view.GetViewRayLengthRatio(0.0, 0.0)));
-  }
-  else
-  {
-    program->SetUniformf("lengthScale", stride);
-  }
+  program->SetUniformf("lengthScale",
+    view.IsParallel() ? static_cast<float>(view.GetViewRayLengthRatio(0.0, 0.0)) : 1.0f);
   if (!view.IsParallel() || frame.Surface)
   {
     const std::array<glm::dvec3, 2> eye = view.GetEyeFromPixels();
@@ -341,10 +332,6 @@ void OpenGLRasterizer::SetUniforms(
   if (view.IsParallel() && frame.Surface)
   {
     program->SetUniform2f("tilt", glm::value_ptr(glm::vec2(view.GetTilt())));
-  }
-  if (frame.TetrahedronStride > 1)
-  {
-    program->SetUniformi("tetrahedronStride", static_cast<int>(frame.TetrahedronStride));
   }
   if (hasOpaque)
   {

@@ -12,21 +12,47 @@
 namespace interlume
 {
 
+namespace
+{
+/// Number of tiles per thread after which to check whether to abort.
+constexpr vtkIdType TILES_PER_THREAD = 8;
+}
+
 bool SoftwareRasterizer::Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted)
 {
-  this->Bins.Fill(frame);
-  if (isAborted())
+  const auto stops = [&isAborted]() { return isAborted && isAborted(); };
+  if (stops())
   {
     return false;
   }
-  const auto width = static_cast<std::size_t>(frame.View.GetWidth());
-  const std::size_t pixels = width * frame.View.GetHeight();
+  this->Bins.Fill(frame);
+  const std::size_t pixels =
+    static_cast<std::size_t>(frame.View.GetWidth()) * frame.View.GetHeight();
   const bool isSelection = frame.Blend == TetrahedraFrame::SELECTION;
   this->Colors.resize(isSelection ? 0 : 4 * pixels);
   this->Tetrahedra.resize(isSelection ? pixels : 0);
   this->Depths.resize(isSelection ? pixels : 0);
+  const vtkIdType tiles = this->Bins.GetNumberOfTiles();
+  const vtkIdType group = isAborted
+    ? TILES_PER_THREAD * static_cast<vtkIdType>(vtkSMPTools::GetEstimatedNumberOfThreads())
+    : tiles;
+  for (vtkIdType begin = 0; begin < tiles; begin += group)
+  {
+    if (stops())
+    {
+      return false;
+    }
+    this->DrawTiles(frame, begin, std::min(begin + group, tiles));
+  }
+  return true;
+}
+
+void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& frame, vtkIdType begin, vtkIdType end)
+{
+  const auto width = static_cast<std::size_t>(frame.View.GetWidth());
+  const bool isSelection = frame.Blend == TetrahedraFrame::SELECTION;
   vtkSMPThreadLocal<std::shared_ptr<TileRasterizer>> rasterizers;
-  vtkSMPTools::For(0, this->Bins.GetNumberOfTiles(), 1,
+  vtkSMPTools::For(begin, end, 1,
     [&](vtkIdType first, vtkIdType last)
     {
       std::shared_ptr<TileRasterizer>& rasterizer = rasterizers.Local();
@@ -57,7 +83,6 @@ bool SoftwareRasterizer::Draw(const TetrahedraFrame& frame, const std::function<
         }
       }
     });
-  return true;
 }
 
 std::size_t SoftwareRasterizer::GetBytes() const

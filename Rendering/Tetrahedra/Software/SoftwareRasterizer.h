@@ -23,8 +23,9 @@ namespace interlume
 class SoftwareRasterizer
 {
 public:
-  /// Draws an image. Returns false if \a isAborted returned true.
-  bool Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted);
+  /// Draws an image. Returns false if \a isAborted returned true. It is called between groups of
+  /// tiles, in the calling thread.
+  bool Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted = nullptr);
 
   /// Returns RGBA values, row by row from the bottom: premultiplied by opacity, or sums or maxima
   /// if TetrahedraFrame::IsSum is true. Empty with SELECTION.
@@ -38,6 +39,8 @@ public:
   std::size_t GetBytes() const;
 
 private:
+  void DrawTiles(const TetrahedraFrame& frame, vtkIdType begin, vtkIdType end);
+
   TileBins Bins;
   std::vector<float> Colors;
   std::vector<std::uint32_t> Tetrahedra;

@@ -76,9 +76,7 @@ void TileBins::Fill(const TetrahedraFrame& frame)
     {
       for (vtkIdType t = first; t < last; ++t)
       {
-        const auto tetrahedron = static_cast<std::uint32_t>(t);
-        this->Ranges[t] =
-          frame.IsDrawn(tetrahedron) ? this->GetRange(frame, tetrahedron) : Range{ { 1, 0, 1, 0 } };
+        this->Ranges[t] = this->GetRange(frame, static_cast<std::uint32_t>(t));
       }
     });
 

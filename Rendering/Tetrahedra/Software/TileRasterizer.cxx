@@ -73,7 +73,6 @@ bool HasSteepPixel(const TetrahedronSilhouette& shape, double dx, double dy, int
 TileRasterizer::TileRasterizer(const TetrahedraFrame& frame, const TileBins& bins)
   : Frame(frame)
   , Bins(bins)
-  , LengthScale(static_cast<float>(frame.TetrahedronStride))
   , Pixels(SIZE * SIZE)
   , Slant(SIZE * SIZE + interlume::Fragments::GROUP)
 {
@@ -157,7 +156,7 @@ void TileRasterizer::Begin(int tile)
       const int column = this->Left + x;
       const int row = this->Bottom + y;
       this->Slant[y * SIZE + x] =
-        this->LengthScale * static_cast<float>(view.GetViewRayLengthRatio(column + 0.5, row + 0.5));
+        static_cast<float>(view.GetViewRayLengthRatio(column + 0.5, row + 0.5));
       if (this->Frame.Opaque)
       {
         this->Opaque[y * SIZE + x] =

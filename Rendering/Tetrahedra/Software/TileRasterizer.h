@@ -64,7 +64,6 @@ private:
   const TileBins& Bins;
   FragmentIntegration::Channels Channels;
   interlume::Fragments Fragments;
-  float LengthScale = 1.0f;
 
   int Left = 0;
   int Bottom = 0;
