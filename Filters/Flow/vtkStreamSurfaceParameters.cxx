@@ -263,9 +263,9 @@ int vtkStreamSurfaceParameters::RequestData(
     if (interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
     {
       vtkWarningMacro(
-        "The input has no triangles. Connect output port 1 of a vtkFlowVolume that has "
-        "GenerateStreamSurfaces on and has intervals or StreamSurfaces inside the range of "
-        "Inflow.");
+        "The input has no triangles. Turn on GenerateStreamSurfaces of Flow Volume, connect its "
+        "output Stream Surfaces (port 1), and select intervals or StreamSurfaces inside the range "
+        "of Inflow.");
     }
     return 1;
   }

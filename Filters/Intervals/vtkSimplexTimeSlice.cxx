@@ -250,7 +250,8 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
               << " is not a 4-simplex (a VTK_POLY_VERTEX with five points): it has type "
               << input->GetCellType(slice.InvalidCell) << " and "
               << input->GetCells()->GetCellSize(slice.InvalidCell)
-              << " points. Connect port 2 of vtkTimeVaryingIntervalVolume.");
+              << " points. Connect the output Simplices (port 2) of Time-Varying Interval Volume, "
+                 "and turn its GenerateSimplices on.");
     empty.SetExplained();
     return;
   }
@@ -280,8 +281,8 @@ std::string vtkSimplexTimeSlice::ExplainEmpty(double time) const
   std::ostringstream why;
   if (this->InputRange[0] > this->InputRange[1])
   {
-    why << "the input has no 4-simplices with times. Turn on GenerateSimplices of the time-varying "
-           "interval volume, and connect its third output.";
+    why << "the input has no 4-simplices with times. Turn on GenerateSimplices of Time-Varying "
+           "Interval Volume, and connect its output Simplices (port 2).";
   }
   else
   {
