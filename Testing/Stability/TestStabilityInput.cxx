@@ -6,7 +6,7 @@
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceMesh.h"
 
-#include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
@@ -40,11 +40,11 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeInput()
   text->SetName("label");
   text->SetNumberOfValues(mesh->GetNumberOfPoints());
   mesh->GetPointData()->AddArray(text);
-  vtkNew<vtkDoubleArray> cells;
-  cells->SetName("material");
-  cells->SetNumberOfTuples(mesh->GetNumberOfCells());
-  cells->FillValue(0.5);
-  mesh->GetCellData()->AddArray(cells);
+  vtkNew<vtkDoubleArray> constants;
+  constants->SetName("material");
+  constants->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  constants->FillValue(0.5);
+  mesh->GetFieldData()->AddArray(constants);
   AddRandomField(mesh, 2, "pressure");
   AddRandomField(mesh, 1);
   return mesh;
@@ -96,7 +96,7 @@ std::vector<ErrorCase<Filter>> ArrayCases(const std::function<void(Filter*)>& se
       [](Filter* filter) { SetArray(filter, "velocity"); }, mend },
     { "string-array", "a string array as scalar", { "label" },
       [](Filter* filter) { SetArray(filter, "label"); }, mend },
-    { "cell-array", "an array that is in the cell data only", { "material" },
+    { "field-array", "an array that is in the field data only", { "material" },
       [](Filter* filter) { SetArray(filter, "material"); }, mend } };
 }
 
