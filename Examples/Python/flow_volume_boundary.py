@@ -6,7 +6,7 @@ python3 flow_volume_boundary.py IMAGE.png
 
 from interlume import vtkAnalyticFlowSource, vtkFlowVolume, vtkIntervalVolume
 from props import (
-    COLORS, PENCIL, add_gradient, make_actor, make_inflow, make_intervals, make_plane, run,
+    COLORS, add_gradient, make_actor, make_inflow, make_intervals, make_plane, run,
     select_triangles, set_boundary, set_gradient_normals)
 from stage import Stage
 from vtkmodules.vtkFiltersSources import vtkCubeSource
@@ -22,7 +22,7 @@ inflow = make_inflow(jet, nozzle, samples, "sqrt((u - 0.5)^2 + (v - 0.5)^2)")
 ring = vtkFlowVolume()
 ring.SetInterval(0, 0.16, 0.42)
 ring.GenerateStreamSurfacesOn()
-volume = make_intervals(run(ring, add_gradient(inflow, "Inflow")), (COLORS[0], 0.5))
+volume = make_intervals(run(ring, add_gradient(inflow, "Inflow")), (COLORS[0], 0.8))
 inner = select_triangles(ring.GetOutputDataObject(1), "StreamSurfaceId", 0)
 set_gradient_normals(inner, vtkIntervalVolume.LOWER_SIDE)
 set_boundary(volume, inner, COLORS[2], 1.0)
@@ -30,7 +30,7 @@ floor = vtkCubeSource()
 floor.SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0)
 
 stage = Stage()
-stage.add_panel().add(volume, make_actor(run(floor), PENCIL))
+stage.add_panel().add(volume, make_actor(run(floor), (0.76, 0.79, 0.82)))
 stage.panels[0].ambient_occlusion = False
-stage.panels[0].look_from((0.45, -1.0, 0.4))
+stage.panels[0].look_from((0.2, -1.0, 0.4))
 stage.save()

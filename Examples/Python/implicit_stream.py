@@ -29,12 +29,12 @@ inflow = add_gradient(make_inflow(tornado, ground, samples, star), "Inflow")
 volume = make_intervals(run(stream, inflow), (COLORS[0], 5.0))
 surface = make_smooth_surface(stream, 1, COLORS[0])
 paint = make_painted_actor(ground, lambda u, v: 1.9 * np.hypot(u - 0.5, v - 0.5) * (
-    1.0 + 0.25 * np.cos(4.0 * np.arctan2(v - 0.5, u - 0.5))), 0.3, 0.6, COLORS[2], (0.62, 0.66, 0.70))
+    1.0 + 0.25 * np.cos(4.0 * np.arctan2(v - 0.5, u - 0.5))), 0.3, 0.6, COLORS[2], (0.76, 0.79, 0.82))
 
 stage = Stage()
 for panel in (stage.add_panel("the stream surface"), stage.add_panel("the stream volume")):
     panel.add(volume if panel.caption.endswith("volume") else surface, paint)
     panel.ambient_occlusion = False
-    panel.look_from((0.25, -1.0, 0.5))
+    panel.look_from((0.25, -1.0, 0.35))
 stage.panels[1].look_as(stage.panels[0])
 stage.save()

@@ -9,7 +9,7 @@ from props import COLORS, make_intervals, read, run
 from stage import Stage
 
 bounds = [40.0, 50.0, 100.0, 160.0, 255.0]
-extinctions = [0.3, 0.05, 0.12, 0.4]
+extinctions = [0.3, 0.05, 0.12, 0.2]
 intervals = vtkIntervalVolume()
 for i in range(4):
     intervals.SetInterval(i, bounds[i], bounds[i + 1])

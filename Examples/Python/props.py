@@ -27,7 +27,6 @@ from vtkmodules.vtkRenderingCore import (
 
 DATA = Path(os.environ.get("INTERLUME_DATA") or Path(__file__).parents[2] / "Data")
 
-PENCIL = (0.62, 0.64, 0.67)
 COLORS = [(0.220, 0.440, 0.720), (0.278, 0.655, 0.580), (0.929, 0.694, 0.263),
           (0.788, 0.286, 0.231), (0.494, 0.341, 0.600), (0.545, 0.565, 0.585)]
 
@@ -282,6 +281,8 @@ def make_painted_actor(plane, value, lower, upper, color, ground):
     texture.InterpolateOn()
     source = vtkTerminationSurfaceSource()
     source.SetSurface(plane)
+    source.SetResolutionU(128)
+    source.SetResolutionV(128)
     actor = make_actor(run(source), (1.0, 1.0, 1.0))
     actor.SetTexture(texture)
     return actor

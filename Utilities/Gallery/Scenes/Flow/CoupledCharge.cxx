@@ -33,9 +33,10 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkTerminationSphere> source;
   source->SetCenter(0.0, 0.0, -0.5);
   source->SetRadius(RADIUS);
-  // Samples only half of each ring, so that the nested surfaces appear cut open.
+  // Samples a little less than half of each ring, so that the nested surfaces appear cut open and
+  // their cut ends are behind the spheres.
   const vtkSmartPointer<vtkStructuredGrid> samples =
-    gallery::MakeArcs({ { 33, 49, 65 } }, { { -0.28, 0.22 } });
+    gallery::MakeArcs({ { 33, 49, 65 } }, { { -0.28, 0.187 } });
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
 
@@ -68,7 +69,8 @@ void Build(gallery::Stage& stage)
   gallery::SetGradientNormals(surfaces->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
   gallery::SetStreamlineCoordinates(surfaces, 0, 16, 6);
 
-  gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.3, 0.25 }, { 0.0, 1.0, 0.0 });
+  gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.3, 0.0 }, { 0.0, 1.0, 0.0 });
+  panel.UseParallelProjection();
   gallery::LightFromAllSides(panel);
   vtkNew<vtkPiecewiseFunction> extinction;
   extinction->AddPoint(0.0, 0.8);

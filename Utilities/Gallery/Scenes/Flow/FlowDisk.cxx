@@ -50,7 +50,7 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   const vtkSmartPointer<vtkTerminationPlane> lid =
     gallery::MakeInflowPlane({ 0.0, 0.0, TOP }, { RADIUS, 0.0, 0.0 }, { 0.0, RADIUS, 0.0 });
   const vtkSmartPointer<vtkStructuredGrid> samples = gallery::MakeRings(nullptr,
-    { { 25, 73, 73 }, { -2.5, TOP }, { 0.25, 1.25 },
+    { { 33, 73, 145 }, { -2.5, TOP }, { 0.25, 1.25 },
       [](double outward, double) { return 0.3 + 5.4 * outward; } });
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputData(gallery::MakeImplicitFlow(field, { lid }, samples, 1.1 * TIME));
@@ -104,8 +104,9 @@ void Build(gallery::Stage& stage)
     gallery::MakeColorMap(gallery::Map::Inferno, -100.0, HOT);
   gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, -0.4 }, { 1.0, 0.0, 0.0 });
   panel.SetAmbientOcclusion(0.0);
-  // The innermost surface ends at the disk. The other two are cut in half.
+  // The innermost surface ends around the disk. The other two are cut in half.
   vtkNew<vtkPlane> above;
+  above->SetOrigin(0.0, 0.0, -0.5);
   above->SetNormal(0.0, 0.0, 1.0);
   vtkNew<vtkPlane> back;
   back->SetNormal(0.0, 1.0, 0.0);
@@ -131,7 +132,7 @@ const gallery::SceneRegistration registration(
     "Computed flow in a reactor, laid on its side. Cold gas enters through the lid, on the left. "
     "Hot gas that rises from the disk spreads it, and it leaves around the rim, where the rotation "
     "drags it along. Three nested stream surfaces start on circles at the lid; the outer two are "
-    "cut in half, and the innermost one ends at the disk. The lines are streamlines at equal "
+    "cut in half, and the innermost one ends around the disk. The lines are streamlines at equal "
     "distances along these circles; the color is the temperature.",
     { "disk_out_ref.vtu" }, &Build });
 }

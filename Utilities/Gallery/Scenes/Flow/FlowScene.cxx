@@ -207,6 +207,8 @@ vtkSmartPointer<vtkActor> MakeTerminationActor(vtkTerminationSurface* surface, v
 {
   vtkNew<vtkTerminationSurfaceSource> source;
   source->SetSurface(surface);
+  source->SetResolutionU(128);
+  source->SetResolutionV(128);
   source->Update();
   vtkSmartPointer<vtkActor> actor = MakeActor(source->GetOutput(), { 1.0, 1.0, 1.0 });
   actor->SetTexture(texture);

@@ -33,17 +33,17 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
 
-  gallery::Panel& panel = stage.AddPanel("", { 0.45, -1.0, 0.4 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.2, -1.0, 0.4 });
   panel.SetAmbientOcclusion(0.0);
   vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.5 } });
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.8 } });
   gallery::SetBoundary(volume, gallery::GetSmoothFlowSurface(filter, gallery::STREAM_SURFACES, 0),
     gallery::IntervalColor(2), 1.0);
   panel.Add(volume);
   vtkNew<vtkCubeSource> floor;
   floor->SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0);
   floor->Update();
-  panel.Add(gallery::MakeActor(floor->GetOutput(), gallery::OutlineColor()));
+  panel.Add(gallery::MakeActor(floor->GetOutput(), { 0.76, 0.79, 0.82 }));
 }
 
 const gallery::SceneRegistration registration(

@@ -17,6 +17,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkProperty.h"
 #include "vtkTerminationTube.h"
+#include "vtkTexture.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 #include "vtkTriangleFilter.h"
@@ -143,11 +144,20 @@ void Build(gallery::Stage& stage)
   outside->AddPoint(0.0, 1.0);
   volume->GetProperty()->SetScalarOpacity(outside);
   panel.Add(volume);
-  const vtkSmartPointer<vtkActor> tube = gallery::MakeTerminationActor(
-    eye, gallery::MakeInflowTexture(gallery::MakePaint(512, 2, &Spokes), { 0.97, 0.97, 0.97 }));
-  tube->GetProperty()->SetAmbient(0.6);
-  tube->GetProperty()->SetDiffuse(0.5);
-  panel.Add(tube);
+  // The outer wall is slightly larger than the inflow, since it hides cells that straddle the
+  // inflow. The inner wall hides them from the inside.
+  const vtkSmartPointer<vtkTexture> paint =
+    gallery::MakeInflowTexture(gallery::MakePaint(512, 2, &Spokes), { 0.97, 0.97, 0.97 });
+  for (const double radius : { EYE, EYE + 0.01 })
+  {
+    vtkNew<vtkTerminationTube> wall;
+    wall->SetLine(eye->GetLine());
+    wall->SetRadius(radius);
+    const vtkSmartPointer<vtkActor> tube = gallery::MakeTerminationActor(wall, paint);
+    tube->GetProperty()->SetAmbient(0.6);
+    tube->GetProperty()->SetDiffuse(0.5);
+    panel.Add(tube);
+  }
   AddMap(panel);
   panel.Frame(vtkBoundingBox(-0.8, 0.8, -0.7, 0.8, -0.1, 0.3));
 }

@@ -54,7 +54,7 @@ void Build(gallery::Stage& stage)
 
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   vtkNew<vtkPiecewiseFunction> extinction;
-  extinction->AddPoint(0.0, 1.5);
+  extinction->AddPoint(0.0, 0.5);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
     tetrahedra, "Inflow", gallery::MakeColorMap(gallery::Map::Viridis, 0.0, 0.5), extinction);
   gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.85));

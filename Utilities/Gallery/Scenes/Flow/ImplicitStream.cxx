@@ -67,9 +67,9 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
 
-  const vtkVector3d from(0.25, -1.0, 0.5);
+  const vtkVector3d from(0.25, -1.0, 0.35);
   const vtkSmartPointer<vtkTexture> star =
-    gallery::MakeInflowTexture(gallery::MakePaint(512, 512, &Star), { 0.62, 0.66, 0.70 });
+    gallery::MakeInflowTexture(gallery::MakePaint(512, 512, &Star), { 0.76, 0.79, 0.82 });
   gallery::Panel& surface = stage.AddPanel("the stream surface", from);
   gallery::Panel& volume = stage.AddPanel("the stream volume", from);
   surface.Add(gallery::MakeFlowActor(

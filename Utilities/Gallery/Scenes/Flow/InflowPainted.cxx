@@ -92,7 +92,7 @@ vtkSmartPointer<vtkImageData> MakeMap(vtkImageData* earth)
   vtkNew<vtkImageGaussianSmooth> smooth;
   smooth->SetInputConnection(large->GetOutputPort());
   smooth->SetDimensionality(2);
-  smooth->SetStandardDeviation(0.8 * enlargement);
+  smooth->SetStandardDeviation(1.2 * enlargement);
   smooth->Update();
   vtkImageData* colors = smooth->GetOutput();
   return gallery::MakePaint(colors->GetDimensions()[0], colors->GetDimensions()[1],
@@ -103,8 +103,11 @@ vtkSmartPointer<vtkImageData> MakeMap(vtkImageData* earth)
       {
         paint.Color[c] = GetPixel(colors, u, v, c) / 255.0;
       }
-      const double land = 3.0 * (paint.Color[0] / paint.Color[2] - 0.6);
-      paint.Opacity = 0.1 + 0.6 * vtkMath::ClampValue(land, 0.0, 1.0);
+      const double ratio = (paint.Color[0] + 0.01) / (paint.Color[2] + 0.01);
+      const double land = vtkMath::ClampValue(3.0 * (ratio - 0.6), 0.0, 1.0);
+      // Gray land would look like holes in the map.
+      paint.Color[2] *= 1.0 - 0.7 * land;
+      paint.Opacity = 0.1 + 0.6 * land;
       return paint;
     });
 }
@@ -122,8 +125,18 @@ vtkSmartPointer<vtkImageData> FadeEdge(vtkImageData* map, vtkTerminationSphere* 
       const double lee = (point[2] - globe->GetCenter()[2]) / globe->GetRadius();
       return gallery::Paint{ { GetPixel(map, u, v, 0), GetPixel(map, u, v, 1),
                                GetPixel(map, u, v, 2) },
-        GetPixel(map, u, v, 3) * vtkMath::ClampValue(1.6 * lee - 0.2, 0.0, 1.0) };
+        GetPixel(map, u, v, 3) * vtkMath::ClampValue(1.8 * lee - 0.5, 0.0, 1.0) };
     });
+}
+
+/// Returns the globe, or a smaller sphere inside it.
+vtkSmartPointer<vtkTerminationSphere> MakeGlobe(double radius)
+{
+  auto globe = vtkSmartPointer<vtkTerminationSphere>::New();
+  globe->SetCenter(0.0, 0.0, 0.8);
+  globe->SetRadius(radius);
+  globe->SetAxis(0.93, -0.3, -0.2);
+  return globe;
 }
 
 /// Shows a globe whose colors the wind carries away, along z.
@@ -133,12 +146,11 @@ void BuildImage(gallery::Stage& stage)
   constexpr double radius = 0.36;
   const vtkSmartPointer<vtkImageData> earth =
     vtkImageData::SafeDownCast(interlume::ReadData("earth.vti"));
-  vtkNew<vtkTerminationSphere> globe;
-  globe->SetCenter(0.0, 0.0, 0.8);
-  globe->SetRadius(radius);
-  globe->SetAxis(0.93, -0.3, -0.2);
+  // The dye starts inside the globe, which hides the cells that straddle the inflow.
+  const vtkSmartPointer<vtkTerminationSphere> globe = MakeGlobe(radius);
+  const vtkSmartPointer<vtkTerminationSphere> inflow = MakeGlobe(radius - 0.02);
   const vtkSmartPointer<vtkDataSet> flow =
-    MakeUpdraft(globe, { { 73, 73, 81 }, { -0.4, 0.4, -0.4, 0.4, 0.7, 2.1 } }, 1.1 * time);
+    MakeUpdraft(inflow, { { 73, 73, 81 }, { -0.4, 0.4, -0.4, 0.4, 0.7, 2.1 } }, 1.1 * time);
   vtkNew<vtkPiecewiseFunction> fading;
   fading->AddPoint(0.0, 0.0);
   fading->AddPoint(0.5, 0.6);
@@ -148,7 +160,7 @@ void BuildImage(gallery::Stage& stage)
   panel.SetBackground(gallery::DarkBackground());
   const vtkSmartPointer<vtkImageData> map = MakeMap(earth);
   const vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeInflowVolume(flow, FadeEdge(map, globe), 0.05);
+    gallery::MakeInflowVolume(flow, FadeEdge(map, inflow), 0.05);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
   mapper->SetTimeGate(fading);
   mapper->TimeGateRepeatOff();
@@ -181,9 +193,10 @@ void BuildDual(gallery::Stage& stage)
   };
   const auto spots = [](double u, double v)
   {
-    const double x = 4.0 * u - std::floor(4.0 * u) - 0.5;
-    const double y = 4.0 * v - std::floor(4.0 * v) - 0.5;
-    return gallery::Paint{ gallery::TextColor(), std::hypot(x, y) < 0.25 ? 0.6 : 0.0 };
+    const double x = 3.0 * u - std::floor(3.0 * u) - 0.5;
+    const double y = 3.0 * v - std::floor(3.0 * v) - 0.5;
+    const double inside = 0.5 + 30.0 * (0.24 - std::hypot(x, y));
+    return gallery::Paint{ gallery::IntervalColor(3), 0.6 * vtkMath::ClampValue(inside, 0.0, 1.0) };
   };
   const auto combined = [blobs, spots](double u, double v)
   {
@@ -210,9 +223,9 @@ void BuildDual(gallery::Stage& stage)
       vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
       mapper->SetDetailTexture(dots);
       mapper->SetDetailModeToOver();
-      mapper->SetTimeGate(MakePulses(0.15, 0.0));
+      mapper->SetTimeGate(MakePulses(0.1, 0.0));
       mapper->SetTimeGateTargetToDetail();
-      mapper->SetTimePeriod(0.8);
+      mapper->SetTimePeriod(1.25);
     }
     panel.Add(volume);
     panel.Add(gallery::MakeTerminationActor(

@@ -14,7 +14,7 @@
 namespace
 {
 /// Range of advection times: from a place inside the rim to the top.
-constexpr double START = 0.9;
+constexpr double START = 0.55;
 constexpr double END = 6.0;
 
 void Build(gallery::Stage& stage)
@@ -24,12 +24,12 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkPolyData> surface =
     gallery::MakeTexturedSurface(flow, 0.06, START, END, 16.0);
   gallery::SetGradientNormals(surface->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
-  gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.55 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.35 });
   panel.Add(gallery::MakeActorWithLines(surface, gallery::IntervalColor(2),
     gallery::MakeArcLengthTexture(48, gallery::TextColor(), 16), nullptr));
   panel.Add(gallery::MakeVolumeOfIntervals(
     gallery::MakeStreamVolume(gallery::MakeTornado(6.5).Samples, 0.06, 0.16, START, END),
-    { { gallery::IntervalColor(0), 1.1 } }));
+    { { gallery::IntervalColor(0), 1.8 } }));
 }
 
 const gallery::SceneRegistration registration(

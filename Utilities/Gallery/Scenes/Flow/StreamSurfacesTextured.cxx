@@ -6,6 +6,10 @@
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
 
+#include "vtkProperty.h"
+
+#include <array>
+
 namespace
 {
 /// Inflow values of the surfaces.
@@ -35,11 +39,18 @@ void Build(gallery::Stage& stage)
     gallery::MakeArcLengthTexture(16, gallery::TextColor(), LINES),
     gallery::MakeTimelineTexture(16, vtkColor3d(1.0, 1.0, 1.0), LINES)));
 
-  const vtkSmartPointer<vtkActor> open =
-    gallery::MakeActorWithLines(outer, gallery::IntervalColor(0),
-      gallery::MakeArcLengthTexture(16, gallery::TextColor(), LINES), nullptr);
-  gallery::ClipActor(open, { -0.4, 1.0, 0.0 });
-  nested.Add(open);
+  // Two actors that overlap behind the inner surface leave a wedge open in front of it.
+  for (const std::array<double, 3>& normal :
+    { std::array<double, 3>{ { -0.84, 0.55, 0.0 } }, std::array<double, 3>{ { 0.23, 0.97, 0.0 } } })
+  {
+    const vtkSmartPointer<vtkActor> open =
+      gallery::MakeActorWithLines(outer, gallery::IntervalColor(0),
+        gallery::MakeArcLengthTexture(16, gallery::TextColor(), LINES), nullptr);
+    gallery::ClipActor(open, normal);
+    // Brightens the inside.
+    open->GetProperty()->SetAmbient(0.3);
+    nested.Add(open);
+  }
   nested.Add(gallery::MakeActorWithLines(
     gallery::MakeTexturedSurface(flow, INNER, START, 5.5, PERIOD), gallery::IntervalColor(1),
     nullptr, gallery::MakeTimelineTexture(16, gallery::TextColor(), LINES)));

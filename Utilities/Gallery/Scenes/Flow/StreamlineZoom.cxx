@@ -7,13 +7,16 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
+#include "Gallery/VectorArithmetic.h"
 
 #include "vtkContourFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkSmoothPolyDataFilter.h"
 #include "vtkStripper.h"
 #include "vtkTubeFilter.h"
@@ -64,16 +67,49 @@ vtkSmartPointer<vtkActor> MakeTube(vtkPolyData* line, double radius)
   return gallery::MakeActor(tube->GetOutput(), { 1.0, 0.84, 0.3 });
 }
 
+/// Returns the direction to the right as seen from FROM.
+vtkVector3d GetRight()
+{
+  return vtkVector3d(-FROM[1], FROM[0], 0.0).Normalized();
+}
+
+/// Returns half the width of the view of \a box.
+double GetHalfWidth(const vtkBoundingBox& box)
+{
+  const vtkVector3d right = GetRight();
+  return 0.46 * (std::abs(right[0]) * box.GetLength(0) + std::abs(right[1]) * box.GetLength(1));
+}
+
+/// Returns the outline of the view of \a box, in front of the surface.
+vtkSmartPointer<vtkActor> MakeOutline(const vtkBoundingBox& box)
+{
+  vtkVector3d center;
+  box.GetCenter(center.GetData());
+  const vtkVector3d toCamera = FROM.Normalized();
+  const vtkVector3d across = 2.0 * GetHalfWidth(box) * GetRight();
+  // The views are about twice as high as wide.
+  const vtkVector3d along = 4.0 * GetHalfWidth(box) * toCamera.Cross(GetRight());
+  const vtkVector3d corner = center + toCamera - 0.5 * across - 0.5 * along;
+  vtkNew<vtkPlaneSource> rectangle;
+  rectangle->SetOrigin(corner[0], corner[1], corner[2]);
+  rectangle->SetPoint1((corner + across).GetData());
+  rectangle->SetPoint2((corner + along).GetData());
+  rectangle->Update();
+  vtkSmartPointer<vtkActor> actor = gallery::MakeActor(rectangle->GetOutput(), { 1.0, 1.0, 1.0 });
+  actor->GetProperty()->SetRepresentationToWireframe();
+  actor->GetProperty()->SetLineWidth(2.0);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
 /// Clips the actor at the left and right edges of \a box as seen from FROM, so that the images in
 /// adjacent panels do not touch.
 void CutSides(vtkActor* actor, const vtkBoundingBox& box)
 {
   double center[3];
   box.GetCenter(center);
-  const double length = std::hypot(FROM[0], FROM[1]);
-  const double right[2] = { -FROM[1] / length, FROM[0] / length };
-  const double half =
-    0.46 * (std::abs(right[0]) * box.GetLength(0) + std::abs(right[1]) * box.GetLength(1));
+  const vtkVector3d right = GetRight();
+  const double half = GetHalfWidth(box);
   for (const double side : { -1.0, 1.0 })
   {
     vtkNew<vtkPlane> plane;
@@ -82,6 +118,17 @@ void CutSides(vtkActor* actor, const vtkBoundingBox& box)
     plane->SetNormal(-side * right[0], -side * right[1], 0.0);
     actor->GetMapper()->AddClippingPlane(plane);
   }
+}
+
+/// Returns \a bounds, scaled around \a center.
+vtkBoundingBox Scale(const double bounds[6], const double center[3], double factor)
+{
+  double part[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    part[i] = center[i / 2] + factor * (bounds[i] - center[i / 2]);
+  }
+  return vtkBoundingBox(part);
 }
 
 void Build(gallery::Stage& stage)
@@ -120,17 +167,16 @@ void Build(gallery::Stage& stage)
     }
     if (view.Size < 1.0)
     {
-      // Frames the bounds of the surface, scaled by Size around the center.
-      double part[6];
-      for (int i = 0; i < 6; ++i)
-      {
-        part[i] = center[i / 2] + view.Size * (bounds[i] - center[i / 2]);
-      }
-      panel.Frame(vtkBoundingBox(part));
+      const vtkBoundingBox part = Scale(bounds, center, view.Size);
+      panel.Frame(part);
       for (vtkActor* actor : actors)
       {
-        CutSides(actor, vtkBoundingBox(part));
+        CutSides(actor, part);
       }
+    }
+    if (view.Size > 0.2)
+    {
+      panel.Add(MakeOutline(Scale(bounds, center, view.Size / 3.0)));
     }
   }
 }
@@ -138,7 +184,8 @@ void Build(gallery::Stage& stage)
 const gallery::SceneRegistration registration({ "streamline-zoom", "4.8",
   "More streamlines at closer distances",
   "A stream surface of a tornado, whole and enlarged, with the same texture. The yellow line is "
-  "the same streamline in all three panels: more and more lines appear next to it. The texture is "
+  "the same streamline in all three panels: more and more lines appear next to it. White outlines "
+  "mark the enlarged parts. The texture is "
   "a mipmap pyramid whose levels have fewer and fewer lines of constant width in texels. No "
   "level is the average of another. New lines fade in between existing ones, so that their "
   "distance on screen is about the same at any scale.",

@@ -36,7 +36,7 @@ gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* i
   gallery::LightFromAllSides(panel);
   panel.Add(gallery::MakeSphere({ 0.0, 0.0, -0.5 }, 0.12, gallery::IntervalColor(3)));
   panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.5 }, 0.12, gallery::IntervalColor(0)));
-  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { VOLUME, 1.0 } }));
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { VOLUME, 2.5 } }));
   for (int id = first; id <= last; ++id)
   {
     panel.Add(

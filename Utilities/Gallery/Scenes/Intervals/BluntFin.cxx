@@ -164,13 +164,13 @@ void BuildIntervalLinear(gallery::Stage& stage)
   // Transparent at the lower bound, since the grid is too coarse for a smooth boundary far from the
   // fin.
   extinction->AddPoint(lower, 0.0);
-  extinction->AddPoint(1.5, 0.5);
+  extinction->AddPoint(1.5, 0.3);
   extinction->AddPoint(2.0, 1.2);
   extinction->AddPoint(upper, 8.0);
   gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.55, 0.5 });
-  panel.Frame(vtkBoundingBox(-1.0, 6.0, -2.5, 2.5, 0.0, 5.3));
+  panel.Frame(vtkBoundingBox(-1.0, 9.0, -2.5, 2.5, 0.0, 6.2));
   panel.SetBackground({ 0.86, 0.90, 0.95 });
-  panel.SetAmbientOcclusion(0.02);
+  panel.SetAmbientOcclusion(0.0);
   panel.Add(MakeBluntFinPlate(flow, { 0.80, 0.79, 0.77 }));
   panel.Add(MakeBluntFin(flow, { 0.80, 0.79, 0.77 }));
   panel.Add(gallery::MakeVolume(tetrahedra, "Density", colors, extinction));
@@ -201,15 +201,16 @@ void BuildIntervalTwoAttributes(gallery::Stage& stage)
   vtkNew<vtkPiecewiseFunction> extinction;
   // Faint at low energy, since the grid is too coarse for a smooth volume far from the fin.
   extinction->AddPoint(lower, 0.0);
-  extinction->AddPoint(13.0, 1.2);
+  extinction->AddPoint(11.0, 0.3);
+  extinction->AddPoint(14.0, 1.4);
   extinction->AddPoint(18.0, 2.4);
   extinction->AddPoint(upper, 5.0);
   gallery::Panel& panel = stage.AddPanel("", { -1.0, -0.5, 0.55 });
-  panel.Frame(vtkBoundingBox(-1.0, 6.0, -2.5, 2.5, 0.0, 5.3));
+  panel.Frame(vtkBoundingBox(-1.0, 7.0, -2.5, 2.5, 0.0, 5.7));
   panel.SetBackground({ 0.16, 0.18, 0.22 });
-  panel.SetAmbientOcclusion(0.02);
-  panel.Add(MakeBluntFinPlate(flow, { 0.30, 0.32, 0.36 }));
-  panel.Add(MakeBluntFin(flow, { 0.42, 0.44, 0.48 }));
+  panel.SetAmbientOcclusion(0.0);
+  panel.Add(MakeBluntFinPlate(flow, { 0.40, 0.42, 0.46 }));
+  panel.Add(MakeBluntFin(flow, { 0.60, 0.62, 0.66 }));
   panel.Add(gallery::MakeVolume(tetrahedra, "StagnationEnergy", colors, extinction));
   stage.SetColorBar(
     "stagnation energy where the density is above 1.2 (free stream 1)", colors, lower, upper);

@@ -28,9 +28,11 @@ void Build(gallery::Stage& stage)
   const vtkVector3d from(1.0, -1.0, 0.5);
   gallery::Panel& plain = stage.AddPanel("the interval", from);
   gallery::Panel& highlighted = stage.AddPanel("its inner boundary highlighted", from);
-  const gallery::IntervalLook look = { gallery::IntervalColor(0), 0.022 };
-  plain.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { look }));
-  vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(tetrahedra, { look });
+  const vtkColor3d blue = gallery::IntervalColor(0);
+  plain.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { blue, 0.035 } }));
+  // Thinner, so that the boundary behind it keeps its color.
+  vtkSmartPointer<vtkVolume> volume =
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { blue, 0.018 } });
   gallery::SetBoundary(volume, inner, gallery::IntervalColor(2), 1.0);
   vtkProperty* property = gallery::GetMapper(volume)->GetBoundaryProperty();
   property->SetAmbient(0.35);

@@ -70,7 +70,7 @@ void Build(gallery::Stage& stage)
   first.Add(gallery::MakeVolumeOfIntervals(warm, { { amber, 0.25 } }));
   second.Add(gallery::MakeVolumeOfIntervals(rich, { none, { blue, 0.25 } }));
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(overlapping->GetOutput(),
-    { { amber, 0.1 }, { blue, 0.1 }, { gallery::IntervalColor(1), 0.3 } });
+    { { amber, 0.05 }, { blue, 0.05 }, { gallery::IntervalColor(1), 0.4 } });
   // Overlapping tetrahedra have no visibility order. This blend mode does not need one.
   gallery::GetMapper(volume)->SetBlendModeToOpticalDepth();
   both.Add(volume);

@@ -21,7 +21,7 @@ void Build(gallery::Stage& stage)
   const std::array<double, 5> bounds = { { 40.0, 50.0, 100.0, 160.0, 255.0 } };
   const std::array<const char*, 4> labels = { { "40 to 50", "50 to 100", "100 to 160",
     "160 to 255" } };
-  const std::array<double, 4> extinctions = { { 0.3, 0.05, 0.12, 0.4 } };
+  const std::array<double, 4> extinctions = { { 0.3, 0.05, 0.12, 0.2 } };
   const int count = static_cast<int>(labels.size());
   vtkNew<vtkIntervalVolume> intervals;
   intervals->SetNumberOfIntervals(count);

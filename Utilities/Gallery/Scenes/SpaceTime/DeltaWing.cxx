@@ -81,7 +81,7 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
   stage.Extract(interval, vortices);
   for (const ShownBoundary& boundary : boundaries)
   {
-    Panel& panel = stage.AddPanel(boundary.Caption, { -0.85, -0.25, 1.0 });
+    Panel& panel = stage.AddPanel(boundary.Caption, { -0.7, 0.0, 1.0 });
     panel.Add(
       MakeVolumeOfIntervals(MakeTimeBoundary(interval, { boundary.Kind }), { boundary.Look }));
     panel.Add(MakeDeltaWing(OutlineColor()));
@@ -109,9 +109,9 @@ void BuildTimeEndVolumes(gallery::Stage& stage)
 {
   ShowDeltaWingBoundaries(stage,
     { { vtkTimeVaryingIntervalVolume::VOLUME_AT_START, "time 0.65",
-        { gallery::IntervalColor(2), 25.0 } },
+        { gallery::IntervalColor(2), 16.0 } },
       { vtkTimeVaryingIntervalVolume::VOLUME_AT_END, "time 1.85",
-        { gallery::IntervalColor(3), 25.0 } } });
+        { gallery::IntervalColor(3), 16.0 } } });
 }
 
 const gallery::SceneRegistration timeEndVolumes({ "time-end-volumes", "3.29",

@@ -53,11 +53,11 @@ vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtk
 void BuildTimeCylinder(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.9, 6, 9.0);
-  gallery::Panel& panel = gallery::AddTimePanel(stage, wake, LOWER, UPPER, 2.1);
+  gallery::Panel& panel = gallery::AddTimePanel(stage, wake, LOWER, UPPER, 1.8);
   panel.SetBackground({ 0.03, 0.025, 0.05 });
-  panel.Add(MakeCylinder(wake, { 0.3, 0.31, 0.33 }));
+  panel.Add(MakeCylinder(wake, { 0.6, 0.61, 0.64 }));
   LookAtWake(panel);
-  panel.Frame(vtkBoundingBox(-0.5, 5.9, -0.5, 0.5, 0.2, 11.8));
+  panel.Frame(vtkBoundingBox(-0.5, 5.2, -0.5, 0.5, 0.2, 10.4));
 }
 
 const gallery::SceneRegistration timeCylinder(

@@ -108,7 +108,7 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkAnalyticFieldSource> wave;
   wave->SetFieldToWave();
   // The wave is linear in z and changes slowly along y, so it needs many points only along x.
-  wave->SetDimensions(320, 8, 8);
+  wave->SetDimensions(1280, 8, 2);
   wave->SetBounds(-3.4, 3.4, -0.4, 0.4, -0.7, 0.7);
   wave->SetTimeRange(times.front(), times.back());
   wave->SetNumberOfTimeSteps(2);

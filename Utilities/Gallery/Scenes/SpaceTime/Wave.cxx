@@ -72,12 +72,13 @@ void BuildTimeBoundaries(gallery::Stage& stage)
   {
     gallery::Panel& panel =
       stage.AddPanel(captions[static_cast<std::size_t>(kind)], { 0.25, -1.0, 0.55 });
+    panel.SetAmbientOcclusion(0.0);
     vtkSmartPointer<vtkVolume> volume =
-      gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 0.5);
+      gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 1.2);
     panel.Add(volume);
     panel.Add(
       gallery::MakeActor(gallery::MakeSurface(gallery::MakeTimeBoundary(interval, { kind })),
-        gallery::IntervalColor(0)));
+        gallery::OutlineColor()));
     stage.SetColorBar("time", volume->GetProperty()->GetRGBTransferFunction(), 0.0, 1.0);
   }
 }
