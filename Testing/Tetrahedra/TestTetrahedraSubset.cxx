@@ -394,8 +394,8 @@ void CheckLevels(Check& check)
   // A time that fits retains the level, although a finer level would barely fit as well.
   detail.AddMeasurement(first, 0.1);
   check.Equal(detail.Choose(0.2), first, "no change within the margin");
-  detail.AddMeasurement(first, 0.02);
-  detail.AddMeasurement(first, 0.02);
+  detail.AddMeasurement(first, 0.002);
+  detail.AddMeasurement(first, 0.002);
   check.That(detail.Choose(0.2) < first, "finer if there is time");
   detail.AddMeasurement(0, 5.0);
   check.Equal(detail.Choose(500.0), 0, "full detail at rest");

@@ -25,7 +25,7 @@ namespace interlume
 class LevelOfDetail
 {
 public:
-  static constexpr std::uint32_t MAXIMUM_SUBSET = 2000000;
+  static constexpr std::uint32_t MAXIMUM_SUBSET = 1000000;
   static constexpr std::uint32_t MINIMUM_SUBSET = 20000;
 
   /// Clears the measured times. Call it when the mesh, the window size or the render path changes.

@@ -43,6 +43,9 @@ constexpr std::uint32_t MPVONC_LIMIT = 1000000;
 /// Estimated time per unit of LevelOfDetail::GetCost(), for one thread or a GPU.
 constexpr double CPU_SECONDS = 2e-7;
 constexpr double GPU_SECONDS = 1e-8;
+/// Tolerance of the transfer functions of subsets. Segments that cross control points of curved
+/// functions or color tables take a large part of the time.
+constexpr double SUBSET_TOLERANCE = 0.01;
 
 TetrahedraFrame::Blends GetBlend(int mode)
 {
@@ -349,7 +352,16 @@ void TetrahedraRenderer::UpdateSubset(std::uint32_t number)
 {
   Detail& reduced = this->Reduced;
   TetrahedraFrame::Changes versions = reduced.Frame.Versions;
-  if (this->Subset.Update(this->Full.Frame, number, reduced.Mesh, reduced.Fields))
+  reduced.Frame = this->Full.Frame;
+  reduced.Frame.Pieces = &this->SubsetPieces;
+  if (this->SubsetColors != this->Full.Frame.Versions.Colors &&
+    this->Full.Fields.Kind == TetrahedraFields::SCALARS)
+  {
+    this->SubsetPieces.Build(
+      this->Property, 0, this->Full.Fields.Range, this->ColorUnit, SUBSET_TOLERANCE);
+    this->SubsetColors = this->Full.Frame.Versions.Colors;
+  }
+  if (this->Subset.Update(reduced.Frame, number, reduced.Mesh, reduced.Fields))
   {
     reduced.Order.Reset();
     ++versions.Mesh;
@@ -358,7 +370,6 @@ void TetrahedraRenderer::UpdateSubset(std::uint32_t number)
   }
   versions.Surface = this->Full.Frame.Versions.Surface;
   versions.Boundary = this->Full.Frame.Versions.Boundary;
-  reduced.Frame = this->Full.Frame;
   reduced.Frame.Versions = versions;
   reduced.Frame.Mesh = &reduced.Mesh;
   reduced.Frame.Fields = &reduced.Fields;

@@ -172,6 +172,9 @@ private:
   /// Render path, viewport size and version of the mesh for which LevelOfDetail has measured times.
   std::array<int, 4> LevelConditions{};
   TetrahedraSubset Subset;
+  /// Simplified transfer functions, and the version of the colors that they were built from.
+  PiecewiseLinearTransferFunction SubsetPieces;
+  int SubsetColors = 0;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };
 

@@ -16,7 +16,6 @@ namespace
 using Value = std::array<double, 4>;
 /// Maximum depth of recursive bisection. The narrowest piece is 2^-24 of a control point interval.
 constexpr int DEPTH = 24;
-constexpr double TOLERANCE = 1e-4;
 
 // The color and opacity functions.
 class Functions
@@ -99,30 +98,32 @@ Value Mix(const Value& a, const Value& b, double t)
   return mixed;
 }
 
-bool IsClose(const Value& value, const Value& straight)
+bool IsClose(const Value& value, const Value& straight, double tolerance)
 {
   for (int i = 0; i < 3; ++i)
   {
-    if (std::abs(value[i] - straight[i]) > TOLERANCE)
+    if (std::abs(value[i] - straight[i]) > tolerance)
     {
       return false;
     }
   }
   return std::abs(value[3] - straight[3]) <=
-    TOLERANCE * std::max(std::abs(value[3]), std::abs(straight[3]));
+    tolerance * std::max(std::abs(value[3]), std::abs(straight[3]));
 }
 }
 
 void PiecewiseLinearTransferFunction::Build(
-  vtkVolumeProperty* property, int component, const double range[2], double unit)
+  vtkVolumeProperty* property, int component, const double range[2], double unit, double tolerance)
 {
   const Functions functions(property, component, unit);
   std::vector<Node> nodes;
   // Appends nodes for the curve from a to b, excluding a and including b.
   const auto append = [&](const auto& self, const Node& a, const Node& b, int depth) -> void
   {
-    const auto isStraight = [&](double t)
-    { return IsClose(functions.Evaluate(a.X + t * (b.X - a.X)), Mix(a.Value, b.Value, t)); };
+    const auto isStraight = [&](double t) {
+      return IsClose(
+        functions.Evaluate(a.X + t * (b.X - a.X)), Mix(a.Value, b.Value, t), tolerance);
+    };
     const double midpoint = 0.5 * (a.X + b.X);
     if (depth == DEPTH || !(midpoint > a.X && midpoint < b.X) ||
       (isStraight(0.25) && isStraight(0.5) && isStraight(0.75) && isStraight(0.03) &&
@@ -151,7 +152,8 @@ void PiecewiseLinearTransferFunction::Build(
     const Node& b = nodes[to];
     for (std::size_t i = from + 1; i < to; ++i)
     {
-      if (!IsClose(nodes[i].Value, Mix(a.Value, b.Value, (nodes[i].X - a.X) / (b.X - a.X))))
+      if (!IsClose(
+            nodes[i].Value, Mix(a.Value, b.Value, (nodes[i].X - a.X) / (b.X - a.X)), tolerance))
       {
         from = to - 1;
         retained.push_back(nodes[from]);

@@ -17,8 +17,8 @@ namespace interlume
  *
  * It merges the control points of the color and opacity functions of a property, so that all four
  * channels are linear between adjacent control points. Curved pieces (other color spaces,
- * midpoints, sharpness, logarithmic scale) are bisected until the linear pieces are within 1e-4 of
- * the functions. Collinear control points are removed.
+ * midpoints, sharpness, logarithmic scale) are bisected until the linear pieces are within a
+ * tolerance of the functions. Collinear control points are removed.
  */
 class PiecewiseLinearTransferFunction
 {
@@ -27,9 +27,11 @@ public:
 
   /**
    * Samples the functions of \a component over \a range, which is mapped to [0, 1]. Extinction is
-   * opacity times \a unit.
+   * opacity times \a unit. \a tolerance is the largest error of a color channel, and the largest
+   * relative error of the extinction.
    */
-  void Build(vtkVolumeProperty* property, int component, const double range[2], double unit);
+  void Build(vtkVolumeProperty* property, int component, const double range[2], double unit,
+    double tolerance = 1e-4);
 
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 
