@@ -90,8 +90,30 @@ void vtkLitVolumeRepresentation::SetVisibility(bool visible)
 
 void vtkLitVolumeRepresentation::UpdateLights()
 {
-  this->ProjectiveLight->SetSwitch(this->ProjectiveLightSwitch && this->GetVisibility());
-  this->AreaLight->SetSwitch(this->AreaLightSwitch && this->GetVisibility());
+  // Other representations would be lit by a light that this one skips.
+  const std::string screenError = this->ProjectiveLight->GetImageError();
+  const std::string emitterError = this->AreaLight->GetEmitterError();
+  const bool isVisible = this->GetVisibility();
+  this->ProjectiveLight->SetSwitch(this->ProjectiveLightSwitch && isVisible && screenError.empty());
+  this->AreaLight->SetSwitch(this->AreaLightSwitch && isVisible && emitterError.empty());
+  std::string error;
+  if (this->ProjectiveLightSwitch && !screenError.empty())
+  {
+    error =
+      "The projective light is off, because " + screenError + ". Select another Screen Image.";
+  }
+  else if (this->AreaLightSwitch && !emitterError.empty())
+  {
+    error = "The area light is off, because " + emitterError + ". Select another Light Image.";
+  }
+  if (error != this->LightError)
+  {
+    this->LightError = error;
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+    }
+  }
 }
 
 bool vtkLitVolumeRepresentation::AddToView(vtkView* view)
@@ -121,6 +143,7 @@ void vtkLitVolumeRepresentation::UpdateMapperParameters()
   this->Superclass::UpdateMapperParameters();
   this->ProjectiveLight->SetImage(vtkTextureImage(this->ProjectiveLightImage));
   this->AreaLight->SetEmitter(vtkTextureImage(this->AreaLightImage));
+  this->UpdateLights();
 }
 
 void vtkLitVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)

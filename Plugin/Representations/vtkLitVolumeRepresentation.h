@@ -6,6 +6,8 @@
 #include "vtkCroppedVolumeRepresentation.h"
 #include "vtkSmartPointer.h" // for the lights and textures
 
+#include <string> // for a member
+
 class vtkAreaLight;
 class vtkProjectiveLight;
 class vtkTexture;
@@ -80,7 +82,8 @@ private:
   vtkLitVolumeRepresentation(const vtkLitVolumeRepresentation&) = delete;
   void operator=(const vtkLitVolumeRepresentation&) = delete;
 
-  /// Turns a light on if its switch is on and the representation is visible, otherwise off.
+  /// Turns a light on if its switch is on, its image is valid and the representation is visible,
+  /// otherwise off. Reports an invalid image once.
   void UpdateLights();
 
   vtkSmartPointer<vtkProjectiveLight> ProjectiveLight;
@@ -89,6 +92,7 @@ private:
   vtkSmartPointer<vtkTexture> AreaLightImage;
   bool ProjectiveLightSwitch = false;
   bool AreaLightSwitch = false;
+  std::string LightError; ///< the last error that UpdateLights has reported
 };
 
 #endif

@@ -83,9 +83,9 @@ public:
   ///@{
   /**
    * Set an image that covers the emitter. It must be two-dimensional (one sample along z). Its
-   * point scalars are unsigned char (0 to 255) or floating point (0 to 1), with 1 (gray), 2 (gray,
-   * opacity), 3 (RGB) or 4 (RGB, opacity) components. The image is interpolated; its first row is
-   * at the bottom.
+   * point scalars are integers, from 0 to the largest value of their type, or floating point (0 to
+   * 1), with 1 (gray), 2 (gray, opacity), 3 (RGB) or 4 (RGB, opacity) components. The image is
+   * interpolated; its first row is at the bottom.
    *
    * The image distributes the light over the emitter and colors it, but does not change its amount:
    * the light's diffuse and specular colors are multiplied by GetEmitterColor. A black image gives

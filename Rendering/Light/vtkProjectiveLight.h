@@ -44,10 +44,11 @@ public:
   ///@{
   /**
    * Set the image on the screen. It must be two-dimensional (one sample along z). Its point scalars
-   * are unsigned char (0 to 255) or floating point (0 to 1), with 1 (gray), 2 (gray, opacity), 3
-   * (RGB) or 4 (RGB, opacity) components. The first row is at the bottom of the screen. With an
-   * invalid image, the mapper reports an error and skips the light; see GetImageError. Default
-   * null: a window that transmits all light.
+   * are integers, from 0 to the largest value of their type (255 for unsigned char, 65535 for
+   * unsigned short), or floating point (0 to 1), with 1 (gray), 2 (gray, opacity), 3 (RGB) or 4
+   * (RGB, opacity) components. The first row is at the bottom of the screen. With an invalid image,
+   * the mapper reports an error and skips the light, and vtkShadowedScenePass does not light actors
+   * by it; see GetImageError. Default null: a window that transmits all light.
    */
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage() const;

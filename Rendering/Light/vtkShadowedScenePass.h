@@ -46,8 +46,8 @@ class VolumeImage;
  * **Lights** are all lights that are switched on, as in vtkShadowedSliceMapper. Lights with a
  * ShadowAttenuation above 0 cast shadows, but headlights cast none on actors. Images of
  * vtkProjectiveLight and colors of vtkAreaLight also apply to actors, with or without shadows. A
- * vtkAreaLight casts soft shadows, computed from NumberOfLightSamples shadow maps; see
- * Documentation/methods/soft-shadows.md.
+ * light with invalid values or an invalid image lights nothing. A vtkAreaLight casts soft shadows,
+ * computed from NumberOfLightSamples shadow maps; see Documentation/methods/soft-shadows.md.
  *
  * **Volumes** share one set of slices, whether they overlap or not. The settings of their mappers
  * are combined as follows:

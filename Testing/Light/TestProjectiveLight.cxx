@@ -304,8 +304,6 @@ void CheckErrors(Check& check)
   check.That(hasError(image), "an image without scalars is an error");
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 5);
   check.That(hasError(image), "five components are an error");
-  image->AllocateScalars(VTK_SHORT, 1);
-  check.That(hasError(image), "short integers are an error");
   image->SetDimensions(2, 2, 2);
   image->AllocateScalars(VTK_FLOAT, 1);
   check.That(hasError(image), "a three-dimensional image is an error");
@@ -320,6 +318,42 @@ void CheckErrors(Check& check)
   light->GetScreenColor(0.1, 0.9, color);
   check.That(color[2] == 1.0, "one sample is clamped");
 }
+
+void CheckTypes(Check& check)
+{
+  struct Case
+  {
+    int Type;
+    double Value;
+    double Expected;
+  };
+  const Case cases[] = { { VTK_UNSIGNED_CHAR, 51.0, 0.2 }, { VTK_CHAR, 127.0, 1.0 },
+    { VTK_SIGNED_CHAR, -5.0, 0.0 }, { VTK_UNSIGNED_SHORT, 13107.0, 0.2 },
+    { VTK_SHORT, -100.0, 0.0 }, { VTK_SHORT, 16383.5 * 2.0, 1.0 },
+    { VTK_UNSIGNED_INT, 4294967295.0 / 5.0, 0.2 }, { VTK_LONG_LONG, 0.0, 0.0 },
+    { VTK_FLOAT, 0.25, 0.25 }, { VTK_FLOAT, 300.0, 1.0 }, { VTK_DOUBLE, -1.0, 0.0 } };
+  for (const Case& one : cases)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(1, 1, 1);
+    image->AllocateScalars(one.Type, 1);
+    image->GetPointData()->GetScalars()->SetComponent(0, 0, one.Value);
+    vtkNew<vtkProjectiveLight> light;
+    light->SetImage(image);
+    double color[3];
+    light->GetScreenColor(0.5, 0.5, color);
+    const std::string name =
+      std::string(image->GetScalarTypeAsString()) + " " + std::to_string(one.Value);
+    check.Near(color[1], one.Expected, 1e-12, name);
+    check.That(light->GetImageError().empty(), name + " is no error");
+  }
+  vtkNew<vtkImageData> bits;
+  bits->SetDimensions(1, 1, 1);
+  bits->AllocateScalars(VTK_BIT, 1);
+  vtkNew<vtkProjectiveLight> light;
+  light->SetImage(bits);
+  check.That(light->GetImageError().find("of type bit") != std::string::npos, "bits are an error");
+}
 }
 
 int TestProjectiveLight(int, char*[])
@@ -330,5 +364,6 @@ int TestProjectiveLight(int, char*[])
   CheckColors(check);
   CheckWindow(check);
   CheckErrors(check);
+  CheckTypes(check);
   return check.Result();
 }

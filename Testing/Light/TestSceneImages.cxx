@@ -9,6 +9,7 @@
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkProjectiveLight.h"
 #include "vtkProperty.h"
 
@@ -212,6 +213,27 @@ void TestEmitter(Check& check)
   check.Equal(stage.GetReport()->GetCount("Images"), 0, "an emitter without an image");
 }
 
+// A light with an invalid image does not light actors.
+void TestInvalidImage(Check& check)
+{
+  SceneStage stage(PIXELS, SIZE);
+  stage.Add(MakeRectangle({ { -1.5, -1.5, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { 0.0, 3.0, 0.0 } }));
+  vtkSmartPointer<vtkProjectiveLight> light = MakeProjector(false, 0);
+  stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light) });
+  const double lit = stage.Draw().At(PIXELS / 2, PIXELS / 2)[0];
+  check.That(lit > 0.5, "a valid light lights the floor");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  light->SetImage(image);
+  const RgbaImage rendered = stage.Draw();
+  double brightest = 0.0;
+  for (int i = 0; i < PIXELS; ++i)
+  {
+    brightest = std::max<double>(brightest, rendered.At(i, PIXELS / 2)[1]);
+  }
+  check.That(brightest == 0.0, "a light with an invalid image lights nothing");
+}
 }
 
 int TestSceneImages(int, char*[])
@@ -220,5 +242,6 @@ int TestSceneImages(int, char*[])
   TestProjectors(check);
   TestShadow(check);
   TestEmitter(check);
+  TestInvalidImage(check);
   return check.Result();
 }

@@ -31,11 +31,9 @@ Error LightImage::GetError(const std::string& name) const
     return name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
       " components, not 1 to 4";
   }
-  const int type = scalars->GetDataType();
-  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT && type != VTK_DOUBLE)
+  if (scalars->GetDataType() == VTK_BIT)
   {
-    return name + " is of type " + scalars->GetDataTypeAsString() +
-      ", not unsigned char or floating point";
+    return name + " is of type bit, not an integer or floating-point type";
   }
   return {};
 }
@@ -43,7 +41,8 @@ Error LightImage::GetError(const std::string& name) const
 glm::dvec3 LightImage::GetSample(vtkIdType index) const
 {
   vtkDataArray* scalars = this->Image->GetPointData()->GetScalars();
-  const double largest = scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
+  const int type = scalars->GetDataType();
+  const double largest = type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : scalars->GetDataTypeMax();
   const int components = scalars->GetNumberOfComponents();
   // NaN becomes 0, because it is not above 0.
   const auto value = [&](int component)

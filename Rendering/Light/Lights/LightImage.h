@@ -19,10 +19,10 @@ namespace interlume
  * @class   LightImage
  * @brief   reads the colors of a light's image
  *
- * The image is two-dimensional (one sample along z). Its point scalars are unsigned char (0 to 255)
- * or floating point (0 to 1), with 1 (gray), 2 (gray, opacity), 3 (RGB) or 4 (RGB, opacity)
- * components. The colors returned are RGB, multiplied by the opacity. Floating-point values are
- * clamped to the range from 0 to 1; NaN becomes 0.
+ * The image is two-dimensional (one sample along z). Its point scalars are integers, from 0 to the
+ * largest value of their type, or floating point (0 to 1), with 1 (gray), 2 (gray, opacity), 3
+ * (RGB) or 4 (RGB, opacity) components. The colors returned are RGB, multiplied by the opacity.
+ * Values outside the range are clamped; NaN becomes 0.
  */
 class LightImage
 {

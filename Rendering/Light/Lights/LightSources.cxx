@@ -207,7 +207,7 @@ Error SetSource(LightSource& source, vtkLight* light, vtkRenderer* renderer, con
 }
 
 std::vector<LightSource> LightSources::Gather(vtkRenderer* renderer, const UnitSpace& space,
-  const Settings& settings, std::vector<std::string>& warnings)
+  const Settings& settings, std::vector<std::string>& warnings, std::vector<vtkLight*>* skipped)
 {
   std::vector<LightSource> sources;
   vtkLightCollection* lights = renderer->GetLights();
@@ -224,6 +224,10 @@ std::vector<LightSource> LightSources::Gather(vtkRenderer* renderer, const UnitS
     {
       warnings.push_back(
         "Light " + std::to_string(index) + " is skipped: " + error.GetMessage() + ".");
+      if (skipped)
+      {
+        skipped->push_back(light);
+      }
       continue;
     }
     const bool shines = !IsBlack(source.Diffuse) || !IsBlack(source.Specular);

@@ -36,11 +36,12 @@ public:
    *
    * Skips lights with values that are not finite, projective and area lights with an invalid image,
    * and lights whose position and focal point coincide. Adds a message to \a warnings for each of
-   * them. Coinciding points are allowed for positional lights that need no direction, which have no
-   * cone, screen or emitter with an extent.
+   * them, and adds them to \a skipped if it is not null. Coinciding points are allowed for
+   * positional lights that need no direction, which have no cone, screen or emitter with an extent.
    */
   static std::vector<LightSource> Gather(vtkRenderer* renderer, const UnitSpace& space,
-    const Settings& settings, std::vector<std::string>& warnings);
+    const Settings& settings, std::vector<std::string>& warnings,
+    std::vector<vtkLight*>* skipped = nullptr);
 };
 
 }

@@ -20,7 +20,8 @@ SceneLightImages::SceneLightImages() = default;
 
 SceneLightImages::~SceneLightImages() = default;
 
-void SceneLightImages::Gather(const std::vector<LightSource>& lights, const UnitSpace& space)
+void SceneLightImages::Gather(const std::vector<LightSource>& lights,
+  const std::vector<vtkLight*>& skipped, const UnitSpace& space)
 {
   this->Images.clear();
   this->Textures.clear();
@@ -40,6 +41,13 @@ void SceneLightImages::Gather(const std::vector<LightSource>& lights, const Unit
     {
       this->Images.push_back(image);
     }
+  }
+  for (vtkLight* light : skipped)
+  {
+    Image image;
+    image.Source.Light = light;
+    image.Color = glm::dvec3(0.0);
+    this->Images.push_back(image);
   }
 }
 

@@ -33,8 +33,10 @@ public:
   SceneLightImages();
   ~SceneLightImages();
 
-  /// Finds the lights with images or screens. \a lights are given in \a space.
-  void Gather(const std::vector<LightSource>& lights, const UnitSpace& space);
+  /// Finds the lights with images or screens. \a lights are given in \a space. The color of
+  /// \a skipped lights, which are invalid, is multiplied by 0.
+  void Gather(const std::vector<LightSource>& lights, const std::vector<vtkLight*>& skipped,
+    const UnitSpace& space);
   bool IsEmpty() const { return this->Images.empty(); }
   int GetNumber() const { return static_cast<int>(this->Images.size()); }
 

@@ -166,8 +166,9 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
   // Ignore warnings about skipped lights, since drawing the scene without this pass does not report
   // them either.
   std::vector<std::string> warnings;
-  this->Lights =
-    LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadowLights }, warnings);
+  std::vector<vtkLight*> skipped;
+  this->Lights = LightSources::Gather(
+    renderer, space, { true, request.MaximumNumberOfShadowLights }, warnings, &skipped);
   for (LightSource& light : this->Lights)
   {
     // With one sample, an area light is treated as a light at its center.
@@ -181,7 +182,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     light.Area = nullptr;
   }
   this->TranslucentViews.Fit(centers, space, boxes.Translucent, request.Resolution);
-  this->Screens.Gather(this->Lights, space);
+  this->Screens.Gather(this->Lights, skipped, space);
   const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
   // If VTK draws volumes between its own depth peels, this class cannot draw them in segments.
