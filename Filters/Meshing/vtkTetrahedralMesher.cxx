@@ -212,6 +212,17 @@ void vtkTetrahedralMesher::Warn(const interlume::MeshingJob& job)
     vtkWarningMacro(<< report.UnsupportedCells
                     << " cells of unsupported types were skipped. Convert them to linear cells.");
   }
+  if (report.FoldedFaces > 0)
+  {
+    vtkWarningMacro(
+      << report.FoldedFaces
+      << " faces meet themselves: they have coincident points, crossing edges or no "
+         "area. They were cleaned and triangulated. The first is a face of cell "
+      << report.FirstFoldedCell
+      << ". If the mesh is wrong there, move its points, or merge and triangulate the "
+         "cells first, in ParaView with Clean to Grid, or with Clean and Triangulate "
+         "for a surface.");
+  }
   if (report.TetrahedraAboveQualityBound > 0)
   {
     vtkWarningMacro(<< report.TetrahedraAboveQualityBound << " of " << report.Tetrahedra

@@ -26,7 +26,8 @@ struct MeshingJob;
  *   their faces may be concave or non-planar. The mesh is conforming: adjacent cells split their
  *   common face into the same triangles, and faces and edges get no new points. A cell that is not
  *   convex may get new points inside. Tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal
- *   and hexagonal prisms and polyhedra are supported. Other cells, ghost cells and hidden cells are
+ *   and hexagonal prisms and polyhedra are supported. Coincident points of one cell are merged, so
+ *   its faces may be collapsed. Other cells, ghost cells and hidden cells are
  *   skipped and counted in GetReport(). The quality and volume bounds do not apply.
  * - Polygons (triangles, quads, polygons, pixels, strips) and no three-dimensional cells: the
  *   volume inside the closed surface is filled. The surface may have several shells, which may be
@@ -54,14 +55,15 @@ struct MeshingJob;
  * - coordinates that are not finite, or coplanar points
  * - cells with too few points or with point ids that do not exist
  * - open or self-intersecting surfaces
- * - polygons that intersect themselves or have no area
  * - cells that have no volume, whose faces do not form a closed surface, or that cannot be
  *   decomposed
  * - global ids that are not one integer per point
  * - failures of TetGen
  *
- * Warnings: tetrahedra that exceed a bound, because of small angles in the input, PreserveBoundary
- * or MaximumNumberOfAddedPoints; unsupported cell types; an empty output (see WarnOnEmptyOutput).
+ * Warnings: faces that meet themselves (coincident points, crossing edges or no area), which are
+ * cleaned and triangulated; tetrahedra that exceed a bound, because of small angles in the input,
+ * PreserveBoundary or MaximumNumberOfAddedPoints; unsupported cell types; an empty output (see
+ * WarnOnEmptyOutput).
  *
  * TetGen is licensed under the AGPL. Therefore this module is optional (INTERLUME_ENABLE_TETGEN).
  * Documentation/methods/meshing.md describes the method.
@@ -197,8 +199,9 @@ public:
    * - AddedPoints: number of output points that are not input points
    * - SkippedCells: number of ghost, hidden or lower-dimensional cells
    * - UnsupportedCells: number of cells of unsupported type
-   * - MergedPoints: number of points of a surface or point set that were merged with a coincident
-   *   point
+   * - MergedPoints: number of points that were merged with a coincident point of the surface, the
+   *   point set or the cell
+   * - FoldedFaces: number of faces that intersect themselves or have no area
    * - SplitTriangles: number of surface triangles split by SplitContacts
    * - TetrahedraAboveQualityBound, TetrahedraAboveMaximumVolume: number of tetrahedra that exceed a
    *   bound

@@ -21,7 +21,9 @@
 #include "vtkInterlumeReport.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTetrahedralMesher.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -358,10 +360,67 @@ void CheckTooFew(Check& check)
   }
 }
 
+/// Hexahedra around an axis, whose inner points coincide.
+void CheckCollapsed(Check& check)
+{
+  constexpr int size = 4;
+  constexpr double angle = 0.3;
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetDimensions(size, size, size);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int k = 0; k < size; ++k)
+  {
+    for (int j = 0; j < size; ++j)
+    {
+      for (int i = 0; i < size; ++i)
+      {
+        points->InsertNextPoint(i * std::cos(angle * j), i * std::sin(angle * j), k);
+      }
+    }
+  }
+  grid->SetPoints(points);
+  vtkObject::GlobalWarningDisplayOff(); // the warning is checked below
+  const auto report = CheckMesh(grid, 3.0 * 3.0 * 0.5 * 9.0 * std::sin(angle), check);
+  vtkObject::GlobalWarningDisplayOn();
+  check.Equal(report->GetCount("MergedPoints"), size * (size - 1), "merged points");
+  // Of each of the nine cells at the axis, two faces become triangles and one a line.
+  check.Equal(report->GetCount("FoldedFaces"), 27, "faces that meet themselves");
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(grid);
+  check.Contains(WarningsOf(mesher), "27 faces meet themselves");
+}
+
+/// Coincident points of different cells, as at a crack, are not merged.
+void CheckCrack(Check& check)
+{
+  auto mesh = MakeMesh(MeshKind::Hexahedra, { 2, 2, 2 });
+  vtkNew<vtkUnstructuredGrid> cracked;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  cracked->SetPoints(points);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      ids->SetId(i, points->InsertNextPoint(mesh->GetPoint(ids->GetId(i))));
+    }
+    cracked->InsertNextCell(mesh->GetCellType(cell), ids);
+  }
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(cracked);
+  mesher->Update();
+  check.Equal(mesher->GetReport()->GetCount("MergedPoints"), 0, "merged points at cracks");
+  check.Equal(
+    mesher->GetOutput()->GetNumberOfPoints(), points->GetNumberOfPoints(), "points at cracks");
+}
+
 }
 
 int TestTetrahedralMesherCells(int, char*[])
 {
   return RunChecks({ CheckKinds, CheckConcave, CheckGlobalIds, CheckBlocks, CheckGhosts,
-    CheckSingle, CheckArrays, CheckTooFew });
+    CheckSingle, CheckArrays, CheckTooFew, CheckCollapsed, CheckCrack });
 }

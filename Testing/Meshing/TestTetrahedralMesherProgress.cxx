@@ -86,9 +86,9 @@ void CheckPrint(Check& check)
       "MaximumNumberOfAddedPoints: 4321", "PreserveBoundary: 0", "FillNestedShells: 0",
       "SplitContacts: 1", "TimeLimit: 87.5", "WorkerFileName: nowhere", "Cells:", "CellsByTetGen",
       "CellsConed", "SkippedCells", "UnsupportedCells", "SurfaceTriangles", "SplitTriangles",
-      "MergedPoints", "AddedPoints", "Regions", "Tetrahedra:", "TetrahedraAboveQualityBound",
-      "TetrahedraAboveMaximumVolume", "LargestRadiusEdgeRatio", "SmallestVolume", "LargestVolume",
-      "TetGenCalls" },
+      "MergedPoints", "FoldedFaces", "FirstFoldedCell", "AddedPoints", "Regions",
+      "Tetrahedra:", "TetrahedraAboveQualityBound", "TetrahedraAboveMaximumVolume",
+      "LargestRadiusEdgeRatio", "SmallestVolume", "LargestVolume", "TetGenCalls" },
     check);
 }
 

@@ -10,8 +10,10 @@
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
+#include "vtkInterlumeReport.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
@@ -328,6 +330,46 @@ void CheckDiagonals(Check& check)
 
 /// Without SplitContacts, the error names the touching cells: the top of the first cube and the
 /// bottom of the second cube.
+/// Returns a cube with a triangle without area between two edges (cell 6). \a top is a polygon of
+/// the points 4 to 7.
+vtkSmartPointer<vtkPolyData> MakeFoldedCube(const std::vector<vtkIdType>& top)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int p = 0; p < 8; ++p)
+  {
+    points->InsertNextPoint(p & 1, (p >> 1) & 1, p >> 2);
+  }
+  points->InsertNextPoint(0.5, 0.0, 0.0);
+  surface->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 2, 3, 1 });
+  polygons->InsertNextCell(static_cast<vtkIdType>(top.size()), top.data());
+  polygons->InsertNextCell({ 0, 8, 1, 5, 4 });
+  polygons->InsertNextCell({ 2, 6, 7, 3 });
+  polygons->InsertNextCell({ 0, 4, 6, 2 });
+  polygons->InsertNextCell({ 1, 3, 7, 5 });
+  polygons->InsertNextCell({ 0, 1, 8 });
+  surface->SetPolys(polygons);
+  return surface;
+}
+
+void CheckFoldedPolygons(Check& check)
+{
+  vtkNew<vtkTetrahedralMesher> mesher;
+  mesher->SetInputData(MakeFoldedCube({ 4, 5, 7, 5, 7, 6 })); // returns from 7 to 5
+  check.Contains(WarningsOf(mesher), "2 faces meet themselves");
+  CheckVolume(mesher->GetOutput(), 1.0L, check);
+  check.Equal(mesher->GetReport()->GetCount("FoldedFaces"), 2, "faces that meet themselves");
+  mesher->SetInputData(MakeFoldedCube({ 4, 5, 7, 6 }));
+  mesher->SetSplitContacts(false);
+  check.Contains(UpdateAndGetErrors(mesher), "Cell 6 has a triangle without area");
+  mesher->SetInputData(MakeFoldedCube({ 4, 5, 6, 7 }));
+  check.Contains(
+    UpdateAndGetErrors(mesher), "Cell 1 has a polygon that intersects itself (1 in all)");
+}
+
 void CheckContactError(Check& check)
 {
   check.SetContext("SplitContacts off");
@@ -357,5 +399,6 @@ void CheckPlanarGrid(Check& check)
 int TestTetrahedralMesherSurfaces(int, char*[])
 {
   return RunChecks({ CheckSources, CheckConcavePolygons, CheckShells, CheckWalls, CheckContacts,
-    CheckFilledCavity, CheckPointContacts, CheckDiagonals, CheckContactError, CheckPlanarGrid });
+    CheckFilledCavity, CheckPointContacts, CheckDiagonals, CheckFoldedPolygons, CheckContactError,
+    CheckPlanarGrid });
 }

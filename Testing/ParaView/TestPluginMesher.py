@@ -4,7 +4,7 @@
 import numpy
 from paraview import simple
 
-from plugin_testing import check_documentation, check_menu, fetch, run
+from plugin_testing import check_documentation, check_menu, fetch, open_file, run, warnings_of
 from simplex_measures import simplices, sizes
 
 
@@ -45,8 +45,20 @@ def check_grid(checks):
     checks.that(mesh.GetPointData().GetArray("RTData") is not None, "array of the grid")
 
 
+def check_collapsed(checks):
+    """Tests a structured grid with collapsed cells, whose volume ParaView's tetrahedra give up to the diagonals of faces."""
+    fin = open_file("bluntfin.vts")
+    mesher = simple.TetrahedralMesher(Input=fin)
+    with warnings_of(mesher, ("WarningEvent", "ErrorEvent")) as messages:
+        mesher.UpdatePipeline()
+    checks.one_message(messages, "faces meet themselves", "collapsed cells")
+    expected = sizes(simplices(fetch(simple.Tetrahedralize(Input=fin)))).sum()
+    checks.close(volumes(fetch(mesher)).sum(), expected, 1e-2, "volume of the collapsed grid")
+
+
 def main(checks):
     check_sphere(checks)
+    check_collapsed(checks)
     check_grid(checks)
 
 

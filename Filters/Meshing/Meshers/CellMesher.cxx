@@ -5,6 +5,7 @@
 #include "Common/Vectors.h"
 #include "Shells/CellDecomposition.h"
 #include "Shells/CellShell.h"
+#include "Shells/CollapsedPoints.h"
 #include "Shells/FaceTriangulation.h"
 #include "TetGen/MeshingJob.h"
 
@@ -53,6 +54,28 @@ void CopyPoints(vtkDataSet* input, interlume::Tetrahedra& mesh)
   }
 }
 
+/// Returns whether a cell is decomposed, and counts it if it is skipped.
+bool IsMeshed(vtkIdType cell, MeshingJob& job)
+{
+  const int type = job.Input->GetCellType(cell);
+  if (!CellShell::IsSupported(type))
+  {
+    vtkIdType& count =
+      MeshingJob::GetDimension(type) == 3 ? job.Report.UnsupportedCells : job.Report.SkippedCells;
+    ++count;
+    return false;
+  }
+  constexpr unsigned char leftOut =
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  vtkUnsignedCharArray* ghosts = job.Input->GetCellGhostArray();
+  if (ghosts && (ghosts->GetValue(cell) & leftOut))
+  {
+    ++job.Report.SkippedCells;
+    return false;
+  }
+  return true;
+}
+
 void AddCell(vtkIdType cell, const CellShell& shell, const CellDecomposition& decomposition,
   interlume::Tetrahedra& mesh)
 {
@@ -80,46 +103,56 @@ Error Meshers::MeshCells(MeshingJob& job)
     return error;
   }
   const FaceTriangulation triangulation = MakeTriangulation(input);
-  vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
-  constexpr unsigned char leftOut =
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-  CopyPoints(input, job.Mesh);
   const vtkIdType number = input->GetNumberOfCells();
+  std::vector<vtkIdType> cells;
   for (vtkIdType cell = 0; cell < number; ++cell)
   {
-    if (cell % 256 == 0)
+    if (IsMeshed(cell, job))
     {
-      job.SetProgress(0.9 * static_cast<double>(cell) / static_cast<double>(number));
+      cells.push_back(cell);
+    }
+  }
+  job.Report.Cells = static_cast<vtkIdType>(cells.size());
+  const std::vector<vtkIdType> merged =
+    CollapsedPoints::Find(input, cells, triangulation.GetOrder(), job.Report.MergedPoints);
+  CopyPoints(input, job.Mesh);
+  Error firstError;
+  vtkIdType firstErrorCell = -1;
+  vtkIdType errors = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    if (i % 256 == 0)
+    {
+      job.SetProgress(0.9 * static_cast<double>(i) / static_cast<double>(cells.size()));
     }
     if (job.IsCanceled())
     {
       return {};
     }
-    const int type = input->GetCellType(cell);
-    if (!CellShell::IsSupported(type))
-    {
-      vtkIdType& count =
-        MeshingJob::GetDimension(type) == 3 ? job.Report.UnsupportedCells : job.Report.SkippedCells;
-      ++count;
-      continue;
-    }
-    if (ghosts && (ghosts->GetValue(cell) & leftOut))
-    {
-      ++job.Report.SkippedCells;
-      continue;
-    }
-    ++job.Report.Cells;
     CellShell shell;
     CellDecomposition decomposition(shell);
-    if (const Error error =
-          shell.Take(input, cell, triangulation).Then([&] { return decomposition.Execute(job); }))
+    Error error = shell.Take(input, cells[i], triangulation, merged);
+    for (int face = 0; face < shell.NumberOfFoldedFaces; ++face)
     {
-      return error.Within("Cell " + std::to_string(cell) + " cannot be decomposed: ", ".");
+      job.Report.AddFoldedFace(cells[i]);
     }
-    AddCell(cell, shell, decomposition, job.Mesh);
+    // After an error, only count the cells that are invalid too.
+    error = errors > 0 ? error : error.Then([&] { return decomposition.Execute(job); });
+    if (!error)
+    {
+      AddCell(cells[i], shell, decomposition, job.Mesh);
+    }
+    else if (errors++ == 0)
+    {
+      firstError = error;
+      firstErrorCell = cells[i];
+    }
   }
   job.Mesh.RemoveUnusedPoints();
-  return {};
+  return firstError.Within("Cell " + std::to_string(firstErrorCell) + " cannot be decomposed: ",
+    errors > 1
+      ? ". At least " + std::to_string(errors) + " cells have errors. Correct or remove them."
+      : ". Correct or remove the cell.");
 }
 
 }

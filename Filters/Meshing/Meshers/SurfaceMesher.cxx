@@ -99,7 +99,9 @@ Error CheckCrossings(const ClosedSurface& surface)
   {
     message += " " + std::to_string(cells[i]);
   }
-  return message + (cells.size() > maximumListed ? ", ..." : ".");
+  return message + (cells.size() > maximumListed ? ", ..." : ".") +
+    " Move the parts apart, remove these cells and close the holes, or join the parts, for example "
+    "with vtkBooleanOperationPolyDataFilter.";
 }
 
 Error Fill(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& solution)
@@ -178,6 +180,10 @@ Error Meshers::MeshSurface(MeshingJob& job)
   job.SetUnit(surface.Points.UnitExponent);
   job.Report.SplitTriangles = surface.NumberOfSplitTriangles;
   job.Report.MergedPoints = surface.Points.NumberOfMerged;
+  for (vtkIdType cell : surface.FoldedCells)
+  {
+    job.Report.AddFoldedFace(cell);
+  }
   error = error.Then([&] { return CheckCrossings(surface); });
   if (error || job.IsCanceled())
   {

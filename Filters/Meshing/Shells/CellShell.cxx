@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace interlume
 {
@@ -79,14 +80,16 @@ bool CellShell::IsSupported(int type)
   }
 }
 
-Error CellShell::Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation)
+Error CellShell::Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation,
+  const std::vector<vtkIdType>& merged)
 {
-  const std::vector<Face> faces = FacesOf(input, cell);
+  std::vector<Face> faces = FacesOf(input, cell);
   std::vector<FaceTriangulation::Triangle> triangles;
   std::vector<int> faceOf;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    for (vtkIdType point : faces[f])
+    bool isMerged = false;
+    for (vtkIdType& point : faces[f])
     {
       if (point < 0 || point >= input->GetNumberOfPoints())
       {
@@ -98,11 +101,17 @@ Error CellShell::Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation
       {
         return "its point " + std::to_string(point) + " is not finite";
       }
+      if (!merged.empty() && merged[point] != point)
+      {
+        isMerged = true;
+        point = merged[point];
+      }
     }
-    if (!triangulation.Triangulate(faces[f], triangles))
-    {
-      return "its face " + std::to_string(f) + " intersects itself or has no area";
-    }
+    const bool isCollapsed =
+      isMerged && std::set<vtkIdType>(faces[f].begin(), faces[f].end()).size() < faces[f].size();
+    const bool isSimple =
+      triangulation.Triangulate(faces[f], triangles) == FaceTriangulation::Result::Simple;
+    this->NumberOfFoldedFaces += isCollapsed || !isSimple ? 1 : 0;
     faceOf.resize(triangles.size(), static_cast<int>(f));
   }
   std::map<std::array<vtkIdType, 3>, int> counts;

@@ -38,13 +38,16 @@ public:
   static bool IsSupported(int type);
 
   /// Reads a cell or returns an error. A cell that collapses entirely has no triangles and no
-  /// error.
-  Error Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation);
+  /// error. Each point p becomes merged[p], unless \a merged is empty.
+  Error Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation,
+    const std::vector<vtkIdType>& merged);
 
   std::vector<vtkIdType> PointIds; ///< in the order of FaceTriangulation
   std::vector<double> Points;      ///< three per point
   std::vector<Triangle> Triangles;
   double Volume = 0.0;
+  /// Number of faces that intersect themselves, have no area or have merged points.
+  int NumberOfFoldedFaces = 0;
 
   const double* GetPoint(int i) const { return &this->Points[3 * i]; }
 

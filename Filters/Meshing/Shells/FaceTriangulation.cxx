@@ -71,6 +71,25 @@ std::vector<PlanarPoint> Project(const std::vector<glm::dvec3>& points)
   return projected;
 }
 
+/// Returns whether the projected polygon has no area, although its points are not on a line. Two
+/// halves of the polygon then have opposite orientation.
+bool IsTwisted(const std::vector<glm::dvec3>& points, const std::vector<PlanarPoint>& projected)
+{
+  glm::dvec3 direction(0.0);
+  double area = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    const glm::dvec3 other = points[i] - points[0];
+    direction = glm::dot(other, other) > glm::dot(direction, direction) ? other : direction;
+    area += Area(projected[0], projected[i], projected[(i + 1) % points.size()]);
+  }
+  const double negligible = Flatness * glm::dot(direction, direction);
+  return area <= negligible &&
+    std::any_of(points.begin(), points.end(),
+      [&](const glm::dvec3& x)
+      { return glm::length(glm::cross(x - points[0], direction)) > negligible; });
+}
+
 using Corners = std::array<std::size_t, 3>;
 
 /// Returns the minimum shape quality of the triangles of the fan from the first point.
@@ -182,23 +201,43 @@ double CutEars(const std::vector<PlanarPoint>& projected, std::vector<Corners>& 
 }
 }
 
+namespace
+{
+/// Removes repeated points, and spikes, where the polygon returns along the same edge. Returns
+/// whether there are spikes.
+bool Clean(std::vector<vtkIdType>& polygon)
+{
+  bool hasSpikes = false;
+  for (std::size_t i = 0; polygon.size() > 1 && i < polygon.size();)
+  {
+    const std::size_t next = (i + 1) % polygon.size();
+    const bool isSpike = polygon.size() > 2 && polygon[i] == polygon[(i + 2) % polygon.size()];
+    if (polygon[i] != polygon[next] && !isSpike)
+    {
+      ++i;
+      continue;
+    }
+    hasSpikes = hasSpikes || polygon[i] != polygon[next];
+    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(next));
+    i = 0;
+  }
+  return hasSpikes;
+}
+}
+
 FaceTriangulation::FaceTriangulation(std::function<glm::dvec3(vtkIdType)> getPoint, Order isBefore)
   : GetPoint(std::move(getPoint))
   , IsBefore(std::move(isBefore))
 {
 }
 
-bool FaceTriangulation::Triangulate(
+FaceTriangulation::Result FaceTriangulation::Triangulate(
   std::vector<vtkIdType> polygon, std::vector<Triangle>& triangles) const
 {
-  polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-  while (polygon.size() > 1 && polygon.front() == polygon.back())
-  {
-    polygon.pop_back();
-  }
+  Result result = Clean(polygon) ? Result::Flat : Result::Simple;
   if (polygon.size() < 3)
   {
-    return true;
+    return result;
   }
   // Choose a start and a direction that are the same for both cells that share the face.
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), this->IsBefore),
@@ -214,7 +253,7 @@ bool FaceTriangulation::Triangulate(
   if (polygon.size() == 3)
   {
     append(polygon[0], polygon[1], polygon[2]);
-    return true;
+    return result;
   }
   std::vector<glm::dvec3> points;
   points.reserve(polygon.size());
@@ -227,23 +266,25 @@ bool FaceTriangulation::Triangulate(
   const double shape = projected.size() <= MaximumPointsForOptimum ? FindBest(projected, best)
                                                                    : CutEars(projected, best);
   const double fanShape = GetFanShape(projected);
-  if (fanShape > 0.0 && fanShape >= FanTolerance * shape)
+  const bool isComplete = best.size() + 2 == polygon.size();
+  if (!(shape > 0.0) && !(fanShape > 0.0))
   {
+    const bool isFlat = isComplete && shape == 0.0 && !IsTwisted(points, projected);
+    result = isFlat ? Result::Flat : Result::Crossing;
+  }
+  if (!isComplete || (fanShape > 0.0 && fanShape >= FanTolerance * shape))
+  {
+    best.clear();
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
     {
-      append(polygon[0], polygon[i], polygon[i + 1]);
+      best.push_back({ { 0, i, i + 1 } });
     }
-    return true;
-  }
-  if (!(shape > 0.0))
-  {
-    return false;
   }
   for (const Corners& corners : best)
   {
     append(polygon[corners[0]], polygon[corners[1]], polygon[corners[2]]);
   }
-  return true;
+  return result;
 }
 
 }

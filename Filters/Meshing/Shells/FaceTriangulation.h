@@ -26,6 +26,9 @@ namespace interlume
  * possible. Otherwise, for example for concave polygons or collinear points, the triangulation
  * whose worst triangle is best is used. (In a non-planar face, a needle-shaped triangle of three
  * nearly collinear points could intersect the adjacent face.)
+ *
+ * A polygon that intersects itself or has no area is cleaned, where it returns along the same edge,
+ * and split as well as possible, identically for both cells.
  */
 class FaceTriangulation
 {
@@ -36,12 +39,21 @@ public:
   /// Sets the function that returns the position of a point, and the strict order of the points.
   FaceTriangulation(std::function<glm::dvec3(vtkIdType)> getPoint, Order isBefore);
 
+  /// Quality of a polygon: simple; cleaned, because it returned along an edge, or without area; or
+  /// intersecting itself.
+  enum class Result
+  {
+    Simple,
+    Flat,
+    Crossing
+  };
+
   /**
    * Appends the triangles of \a polygon, with the orientation of the polygon. Consecutive equal
-   * points count once. A polygon with fewer than three points adds no triangle and returns true.
-   * Returns false without adding triangles if the polygon intersects itself or has no area.
+   * points count once. A polygon with fewer than three points adds no triangle. If the polygon is
+   * not simple, some of its triangles may have no area or be inverted.
    */
-  bool Triangulate(std::vector<vtkIdType> polygon, std::vector<Triangle>& triangles) const;
+  Result Triangulate(std::vector<vtkIdType> polygon, std::vector<Triangle>& triangles) const;
 
   const Order& GetOrder() const { return this->IsBefore; }
 

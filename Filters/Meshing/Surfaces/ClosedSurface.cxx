@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
 
 namespace interlume
@@ -129,7 +130,7 @@ Error ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
     return error;
   }
   this->RemoveDuplicates();
-  if (Error error = this->CheckAreas())
+  if (Error error = this->RemoveFlatTriangles(splitContacts))
   {
     return error;
   }
@@ -149,6 +150,8 @@ Error ClosedSurface::AddPolygons(vtkDataSet* input)
     [](vtkIdType a, vtkIdType b) { return a < b; });
   vtkNew<vtkIdList> ids;
   std::vector<FaceTriangulation::Triangle> triangles;
+  vtkIdType crossings = 0;
+  vtkIdType firstCrossing = -1;
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
     input->GetCellPoints(cell, ids);
@@ -159,10 +162,14 @@ Error ClosedSurface::AddPolygons(vtkDataSet* input)
         point = this->Points.Indices[point];
       }
       triangles.clear();
-      if (!triangulation.Triangulate(polygon, triangles))
+      const FaceTriangulation::Result result = triangulation.Triangulate(polygon, triangles);
+      if (result == FaceTriangulation::Result::Flat)
       {
-        return "Cell " + std::to_string(cell) +
-          " has a polygon that intersects itself or has no area. Correct or remove it.";
+        this->FoldedCells.push_back(cell);
+      }
+      if (result == FaceTriangulation::Result::Crossing && crossings++ == 0)
+      {
+        firstCrossing = cell;
       }
       for (const auto& triangle : triangles)
       {
@@ -175,6 +182,12 @@ Error ClosedSurface::AddPolygons(vtkDataSet* input)
         }
       }
     }
+  }
+  if (crossings > 0)
+  {
+    return "Cell " + std::to_string(firstCrossing) + " has a polygon that intersects itself (" +
+      std::to_string(crossings) +
+      " in all). Move its points, split it where its edges cross, or remove it and close the hole.";
   }
   return this->Triangles.empty()
     ? "The surface has no triangles: each polygon has fewer than three distinct points."
@@ -267,17 +280,35 @@ glm::dvec3 ClosedSurface::GetNormal(const std::array<int, 3>& points) const
     Vectors::Difference(this->GetPoint(points[2]), a));
 }
 
-Error ClosedSurface::CheckAreas() const
+Error ClosedSurface::RemoveFlatTriangles(bool splitContacts)
 {
-  for (const Triangle& triangle : this->Triangles)
+  const auto isFlat = [this](const Triangle& triangle)
+  { return this->GetNormal(triangle.Points) == glm::dvec3(0.0); };
+  const auto first = std::find_if(this->Triangles.begin(), this->Triangles.end(), isFlat);
+  if (first == this->Triangles.end())
   {
-    if (this->GetNormal(triangle.Points) == glm::dvec3(0.0))
+    return {};
+  }
+  const std::string cell = std::to_string(first->Cell);
+  if (!splitContacts)
+  {
+    return "Cell " + cell +
+      " has a triangle without area: its points lie on a line. Turn SplitContacts on, or remove "
+      "it.";
+  }
+  std::set<vtkIdType> counted(this->FoldedCells.begin(), this->FoldedCells.end());
+  for (auto triangle = first; triangle != this->Triangles.end(); ++triangle)
+  {
+    if (isFlat(*triangle) && counted.insert(triangle->Cell).second)
     {
-      return "Cell " + std::to_string(triangle.Cell) +
-        " has a triangle without area: its points lie on a line.";
+      this->FoldedCells.push_back(triangle->Cell);
     }
   }
-  return {};
+  this->Triangles.erase(
+    std::remove_if(this->Triangles.begin(), this->Triangles.end(), isFlat), this->Triangles.end());
+  return this->Triangles.empty()
+    ? "All triangles of the surface, such as that of cell " + cell + ", have no area."
+    : Error();
 }
 
 bool ClosedSurface::AreCoplanar(std::size_t triangle, std::size_t other) const

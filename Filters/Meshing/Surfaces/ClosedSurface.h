@@ -62,11 +62,15 @@ public:
   std::vector<Triangle> Triangles;
   std::vector<Triangle> InputTriangles; ///< after merging points, before splitting
   vtkIdType NumberOfSplitTriangles = 0;
+  /// The cells with polygons that were cleaned or have no area, once per polygon.
+  std::vector<vtkIdType> FoldedCells;
   int NumberOfPatches = 0;
 
 private:
   Error AddPolygons(vtkDataSet* input);
-  Error CheckAreas() const;
+  /// Removes triangles without area. Their neighbors are split at their points, as contacts, or an
+  /// error is returned if \a splitContacts is false.
+  Error RemoveFlatTriangles(bool splitContacts);
   void RemoveDuplicates();
   Error SplitContacts(double tolerance, bool splitContacts);
   /// Checks that every edge has at least two triangles, and finds the patches.

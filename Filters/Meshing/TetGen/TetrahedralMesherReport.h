@@ -33,8 +33,14 @@ struct TetrahedralMesherReport
   /// Number of triangles of the input surface that were split because they touch other triangles
   /// (see SplitContacts).
   vtkIdType SplitTriangles = 0;
-  /// Number of points of a surface or point set that were merged with a coincident point.
+  /// Number of points of a surface or point set that were merged with a coincident point, and of
+  /// points of cells that were merged with a coincident point of the same cell.
   vtkIdType MergedPoints = 0;
+  /// Number of faces of cells, or polygons of a surface, that meet themselves: their edges cross or
+  /// coincide, they have no area, or points of the cell were merged. FirstFoldedCell is the first
+  /// cell with such a face (-1 if there is none).
+  vtkIdType FoldedFaces = 0;
+  vtkIdType FirstFoldedCell = -1;
   /// Number of output points that are not input points.
   vtkIdType AddedPoints = 0;
   /// Number of distinct values in the cell array RegionId.
@@ -50,6 +56,13 @@ struct TetrahedralMesherReport
   double LargestVolume = 0.0;
   /// Number of problems sent to a worker process.
   vtkIdType TetGenCalls = 0;
+
+  /// Counts a face of \a cell that meets itself.
+  void AddFoldedFace(vtkIdType cell)
+  {
+    this->FirstFoldedCell = this->FoldedFaces == 0 ? cell : this->FirstFoldedCell;
+    ++this->FoldedFaces;
+  }
 
   void CopyTo(vtkInterlumeReport* report) const;
 };
