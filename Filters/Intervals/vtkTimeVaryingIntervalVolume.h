@@ -178,6 +178,9 @@ public:
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
+  /// Return the value NonFiniteCells of the report.
+  vtkIdType GetNumberOfNonFiniteCells() { return this->Report->GetCount("NonFiniteCells"); }
+
 protected:
   vtkTimeVaryingIntervalVolume();
   ~vtkTimeVaryingIntervalVolume() override;

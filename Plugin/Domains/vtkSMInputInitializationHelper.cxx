@@ -2,8 +2,10 @@
 #include "vtkSMInputInitializationHelper.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMInputProperty.h"
@@ -139,7 +141,10 @@ void SelectTime(vtkSMProxy* filter, vtkPVXMLElement* xml, vtkMTimeType start)
   double time = vtkSMPropertyHelper(keeper, "Time").GetAsDouble();
   for (Output output(filter); output.Source; output = Output(output.Source))
   {
-    const double* range = output.GetInformation()->GetTimeRange();
+    vtkPVDataInformation* information = output.GetInformation();
+    vtkPVArrayInformation* times =
+      information->GetArrayInformation(xml->GetAttribute("time"), vtkDataObject::POINT);
+    const double* range = times ? times->GetComponentFiniteRange(0) : information->GetTimeRange();
     if (range[0] <= range[1] && range[0] > -VTK_DOUBLE_MAX && range[1] < VTK_DOUBLE_MAX)
     {
       time = std::clamp(time, range[0], range[1]);

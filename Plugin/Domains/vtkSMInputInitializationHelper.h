@@ -17,8 +17,9 @@
  * - field: name of a second input property. If nothing is connected, the nearest suitable output
  *   upstream of the first input is used, and an array of it is selected in the property named in
  * the attribute array.
- * - time: name of a property that is set to the current time, clamped to the times of the data. The
- *   property named in the attribute toggle keeps its value.
+ * - time: name of a property that is set to the current time, clamped to the range of the point
+ * array of that name, or to the times of the data. The property named in the attribute toggle keeps
+ * its value.
  *
  * Properties set explicitly remain unchanged.
  */

@@ -28,7 +28,6 @@ pqAreaLightPropertyWidget::pqAreaLightPropertyWidget(
   show->setObjectName("show3DWidget");
   show->setToolTip(
     tr("Show handles in the view to drag the light's center, focal point, width and height"));
-  show->setChecked(true);
   layout->addWidget(show, 0, 0, 1, Columns);
   this->addChoice(layout, "Shape");
   for (const char* function : { "WorldPosition", "FocalPoint", "ViewUp", "Width", "Height" })
@@ -37,7 +36,6 @@ pqAreaLightPropertyWidget::pqAreaLightPropertyWidget(
   }
   this->connect(show, SIGNAL(toggled(bool)), SLOT(setWidgetVisible(bool)));
   show->connect(this, SIGNAL(widgetVisibilityToggled(bool)), SLOT(setChecked(bool)));
-  this->setWidgetVisible(show->isChecked());
 }
 
 pqAreaLightPropertyWidget::~pqAreaLightPropertyWidget() = default;

@@ -4,15 +4,19 @@
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
 
 #include <cstring>
 #include <iterator>
 #include <set>
 #include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMDisplayedVolumeRepresentationProxy);
 
@@ -134,8 +138,41 @@ void vtkSMDisplayedVolumeRepresentationProxy::DisplayChanged()
   }
 }
 
+void vtkSMDisplayedVolumeRepresentationProxy::SetValidSizes(vtkSMPVRepresentationProxy* display)
+{
+  std::vector<vtkSMProperty*> sizes;
+  for (const char* name : { "GaussianRadius", "ScaleFactor" })
+  {
+    vtkSMProperty* property = display->GetProperty(name);
+    if (property &&
+      (vtkSMPropertyHelper(property).GetAsDouble() < 0.0 ||
+        (this->HasDefaultSizes && property->IsValueDefault())))
+    {
+      sizes.push_back(property);
+    }
+  }
+  const vtkSMPropertyHelper input(display, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  if (sizes.empty() || !source)
+  {
+    return;
+  }
+  // Until there are data, use the defaults of the XML.
+  this->HasDefaultSizes =
+    source->GetDataInformation(input.GetOutputPort())->GetNumberOfPoints() == 0;
+  for (vtkSMProperty* property : sizes)
+  {
+    if (this->HasDefaultSizes || !property->ResetToDomainDefaults())
+    {
+      property->ResetToXMLDefaults();
+    }
+  }
+  display->UpdateVTKObjects();
+}
+
 void vtkSMDisplayedVolumeRepresentationProxy::FollowDisplay(vtkSMPVRepresentationProxy* display)
 {
+  this->SetValidSizes(display);
   // Since ParaView 5.12, this property of the display is named Translation. Earlier versions name
   // it Position, and share it with this representation automatically.
   vtkSMProperty* translation = display->GetProperty("Translation");

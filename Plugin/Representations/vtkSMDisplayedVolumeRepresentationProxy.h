@@ -17,6 +17,9 @@ class vtkSMPVRepresentationProxy;
  * list of representations. The volume follows the translation of the display. While the volume is
  * selected, the display's panel hides the groups and properties listed in the XML hint Hidden,
  * which do not affect the volume.
+ *
+ * ParaView derives the default sizes of glyphs and points from the bounds of the data. While the
+ * data are empty, these sizes would be negative; the proxy sets valid ones.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMDisplayedVolumeRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -43,8 +46,11 @@ private:
   void operator=(const vtkSMDisplayedVolumeRepresentationProxy&) = delete;
 
   void DisplayChanged();
+  /// Replaces invalid default sizes of the display.
+  void SetValidSizes(vtkSMPVRepresentationProxy* display);
 
   std::string Type;
+  bool HasDefaultSizes = false;
   bool IsFollowing = false;
 };
 

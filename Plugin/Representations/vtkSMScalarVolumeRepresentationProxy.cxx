@@ -3,9 +3,11 @@
 
 #include "vtkEstimatedOpacity.h"
 #include "vtkIdColors.h"
+#include "vtkLegendDigits.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -18,8 +20,10 @@
 #include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMUndoStack.h"
 #include "vtkSMUndoStackBuilder.h"
+#include "vtkSMViewProxy.h"
 
 #include <algorithm>
 #include <cstring>
@@ -133,6 +137,7 @@ void vtkSMScalarVolumeRepresentationProxy::FollowDisplay(vtkSMPVRepresentationPr
   const bool isRestoring = IsRestoring(display);
   const bool wasShown = this->IsShown;
   this->IsShown = vtkSMPropertyHelper(display, "Representation").GetAsString() == this->GetType();
+  this->FollowScalars(display, isRestoring);
   bool isColored = display->GetUsingScalarColoring();
   if (!this->IsShown && wasShown)
   {
@@ -158,6 +163,50 @@ void vtkSMScalarVolumeRepresentationProxy::FollowDisplay(vtkSMPVRepresentationPr
   if (this->IsShown && isColored)
   {
     this->EstimateOpacity(display, isRestoring);
+    if (!isRestoring)
+    {
+      vtkLegendDigits::Apply(display, this->LegendFormat);
+    }
+  }
+}
+
+void vtkSMScalarVolumeRepresentationProxy::FollowScalars(
+  vtkSMPVRepresentationProxy* display, bool isRestoring)
+{
+  const vtkSMPropertyHelper input(display, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  vtkPVXMLElement* hints = source ? source->GetHints() : nullptr;
+  vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("ColorBy") : nullptr;
+  vtkSMProperty* property =
+    hint ? source->GetProperty(hint->GetAttributeOrEmpty("property")) : nullptr;
+  const char* selected =
+    property ? vtkSMPropertyHelper(property).GetInputArrayNameToProcess() : nullptr;
+  if (!selected || this->Scalars == selected ||
+    !source->GetDataInformation(input.GetOutputPort())
+       ->GetArrayInformation(selected, vtkDataObject::POINT))
+  {
+    return;
+  }
+  const std::string previous = this->Scalars;
+  this->Scalars = selected;
+  const vtkSMPropertyHelper colors(display, "ColorArrayName");
+  if (previous.empty() || isRestoring || !display->GetUsingScalarColoring() ||
+    colors.GetInputArrayAssociation() != vtkDataObject::POINT ||
+    colors.GetInputArrayNameToProcess() != previous)
+  {
+    return;
+  }
+  vtkSMViewProxy* view = vtkSMViewProxy::FindView(display);
+  const bool hasLegend = view && vtkSMPVRepresentationProxy::IsScalarBarVisible(display, view);
+  if (display->SetScalarColoring(selected, vtkDataObject::POINT))
+  {
+    display->RescaleTransferFunctionToDataRange(true);
+  }
+  if (hasLegend)
+  {
+    vtkNew<vtkSMTransferFunctionManager> manager;
+    manager->UpdateScalarBars(view, vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+    vtkSMPVRepresentationProxy::SetScalarBarVisibility(display, view, true);
   }
 }
 
@@ -239,4 +288,5 @@ void vtkSMScalarVolumeRepresentationProxy::PrintSelf(ostream& os, vtkIndent inde
   os << indent << "IsShown: " << this->IsShown << "\n";
   os << indent << "NeedsArray: " << this->NeedsArray << "\n";
   os << indent << "IsSolidByChoice: " << this->IsSolidByChoice << "\n";
+  os << indent << "Scalars: " << this->Scalars << "\n";
 }

@@ -78,6 +78,7 @@ plugin_test(TestPluginComposite "paraview;value" ${batch} "${script}/TestPluginC
 plugin_test(TestPluginTimeVarying "paraview;value" ${batch} "${script}/TestPluginTimeVarying.py")
 plugin_test(TestPluginFlow "paraview;value" ${batch} "${script}/TestPluginFlow.py")
 plugin_test(TestPluginFlowDefaults "paraview;value" ${batch} "${script}/TestPluginFlowDefaults.py")
+plugin_test(TestPluginChoices "paraview;value" ${batch} "${script}/TestPluginChoices.py")
 plugin_test(TestPluginFlowProperties "paraview;value"
   ${batch} "${script}/TestPluginFlowProperties.py")
 plugin_pieces_test(TestPluginOnePiece TestPluginPieces value)
@@ -170,6 +171,9 @@ foreach (session IN ITEMS Open Scans Images Intervals Time Contours Flow Meshing
     "${script}/TestNewcomer.py" ${session} "${CMAKE_CURRENT_BINARY_DIR}/newcomer")
   set_tests_properties(TestNewcomer${session} PROPERTIES TIMEOUT 600)
 endforeach ()
+plugin_test(TestPluginClient "paraview;image" "${Python3_EXECUTABLE}"
+  "${script}/TestPluginClient.py" "${CMAKE_CURRENT_BINARY_DIR}/client")
+set_tests_properties(TestPluginClient PROPERTIES TIMEOUT 600)
 add_custom_target(guide-pictures
   COMMAND "${CMAKE_COMMAND}" -E env ${plugin_environment} "${Python3_EXECUTABLE}"
           "${script}/newcomer_guide.py" "${PROJECT_SOURCE_DIR}/Documentation/pictures/guide"

@@ -20,6 +20,12 @@ def python(code):
     return (SHELL, "executeCommand", code)
 
 
+def check(widget, name, value):
+    """Returns the gesture that checks a property of a widget. If it has another value, the client's exit status
+    is not 0."""
+    return (widget, name, value, "pqcheck")
+
+
 @contextlib.contextmanager
 def started(command, **options):
     """Starts a process and ends it by its id."""
@@ -52,8 +58,9 @@ def display(size, folder, log):
 def write_script(path, gestures):
     with open(path, "w", encoding="utf-8") as script:
         script.write('<?xml version="1.0" ?>\n<pqevents>\n')
-        for widget, command, argument in gestures:
-            script.write(f"  <pqevent object={quoteattr(widget)} command={quoteattr(command)}"
+        for widget, command, argument, *kind in gestures:
+            tag, name = ("pqcheck", "property") if kind else ("pqevent", "command")
+            script.write(f"  <{tag} object={quoteattr(widget)} {name}={quoteattr(command)}"
                          f" arguments={quoteattr(argument)} />\n")
         script.write("</pqevents>\n")
 

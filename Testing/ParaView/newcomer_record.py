@@ -52,5 +52,22 @@ def record(folder, use):
         traceback.print_exc(file=sys.__stderr__)
 
 
+def note(path, name, evaluate):
+    """Appends the result of a function to a file, one line of JSON per call."""
+    try:
+        with open(path, "a", encoding="utf-8") as file:
+            json.dump([name, evaluate()], file)
+            file.write("\n")
+    except Exception:  # the shell shows errors only in its window
+        traceback.print_exc(file=sys.__stderr__)
+
+
+def handles():
+    """Returns the number of widgets with handles that are visible in the active view."""
+    widgets = simple.GetActiveView().SMProxy.GetProperty("HiddenRepresentations")
+    shown = [widgets.GetProxy(i).GetProperty("Visibility") for i in range(widgets.GetNumberOfProxies())]
+    return sum(visibility.GetElement(0) for visibility in shown if visibility)
+
+
 def reset():
     simple.ResetSession()

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests widgets of the plugin in the ParaView client. Argument: the output directory.
+
+Each step of a use has gestures and, optionally, a Python expression with its expected value.
+"""
+
+import json
+import os
+import sys
+
+from newcomer_client import check, play, python
+from newcomer_uses import APPLY, MENU_BAR, applied, drawn_as, opened
+from plugin_testing import Checks
+
+SECONDS = 1500  # Time limit on a busy machine.
+PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/"
+         "PropertiesFrame/ProxyPanel/")
+SEARCH = "pqClientMainWindow/QuickLaunchDialog"
+RETURN = 0x01000004
+KEY_PRESS = 6
+INTERVALS = PANEL + "Intervals/"
+
+
+def chosen(name):
+    return [(MENU_BAR + "/menuFilters/Alphabetical", "activate", name)]
+
+
+def clicked(widget):
+    return [(widget, "activate", "")]
+
+
+def searched(text):
+    """Types into the search box, and creates the selected filter."""
+    keys = [(ord(letter.upper()), letter) for letter in text] + [(RETURN, "")]
+    return [(MENU_BAR + "/menuFilters", "activate", "Search...\tCtrl+Space")] + [
+        (SEARCH, "keyEvent", f"{KEY_PRESS}:{key}:0:{letter}:0:1") for key, letter in keys]
+
+
+def shell(code):
+    return [python("from paraview.simple import *; " + code)]
+
+
+def of_table(is_table):
+    """Returns the checks that the table, or otherwise the sliders, is visible below a button that stays in place."""
+    table, sliders = ("true", "false") if is_table else ("false", "true")
+    return [check(INTERVALS + "Several", "visible", "true"), check(INTERVALS + "Sliders", "visible", sliders),
+            check(INTERVALS + "Table", "visible", table), check(INTERVALS + "Reset", "visible", table)]
+
+
+LEGEND = "GetScalarBar(GetColorTransferFunction('AsH3'), GetActiveView()).RangeLabelFormat"
+ROWS = "[round(value, 6) for value in FindSource('IntervalVolume1').Intervals]"
+HANDLES = "newcomer_record.handles()"
+DISPLAY = "GetRepresentation(GetActiveSource(), GetActiveView())"
+ONE = [0.1, 0.12]
+USES = {
+    "search": [
+        (opened("mug.ex2") + searched("time-varying"), "GetActiveSource().GetXMLName()", "TimeVaryingIntervalVolume")],
+    "time slice": [
+        (opened("mug.ex2") + chosen("TimeVaryingIntervalVolume")
+         + shell("GetActiveSource().GenerateSimplices = 1; GetActiveSource().TimeStepRange = [5, 6]")
+         + [APPLY] + chosen("SimplexTimeSlice")
+         + [(PANEL + "UseAnimationTime/CheckBox", "set_boolean", "false"), APPLY],
+         "[GetActiveSource().UseAnimationTime, str(GetActiveSource().Input.Port)]", [0, "2"])],
+    "intervals": [
+        (opened("disk_out_ref.vtu") + applied("IntervalVolume") + of_table(False)
+         + [check(INTERVALS + "Skipped", "visible", "false")], LEGEND + "[-2:]", "2e"),
+        (shell(f"FindSource('IntervalVolume1').Intervals = {ONE}") + clicked(INTERVALS + "Several") + of_table(True)
+         + clicked(INTERVALS + "Table/Add") + of_table(True) + [APPLY] + of_table(True), ROWS, [0.1, 0.12, 0.12, 0.14]),
+        (clicked(INTERVALS + "Table/Add") + of_table(True) + [APPLY], ROWS, [0.1, 0.12, 0.12, 0.14, 0.14, 0.16]),
+        (clicked(INTERVALS + "Reset") + of_table(False) + [APPLY], f"len({ROWS})", 2)],
+    "skipped cells": [
+        (shell("w = Wavelet(); w.UpdatePipeline(); f = ProgrammableFilter(Input=w); f.Script = 'import numpy; "
+               "v = inputs[0].PointData[\"RTData\"]; "
+               "output.PointData.append(numpy.where(v > 200, numpy.nan, v), \"value\")'; "
+               "f.UpdatePipeline(); SetActiveSource(f)")
+         + applied("IntervalVolume") + [check(INTERVALS + "Skipped", "visible", "true")], None, None)],
+    "handles": [
+        (shell("Show(Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])); Render()") + drawn_as("Shadowed Slices"), HANDLES, 0),
+        (shell(DISPLAY + ".ProjectiveLight = 1"), HANDLES, 1),
+        (shell(DISPLAY + ".AreaLight = 1"), HANDLES, 2),
+        (shell(DISPLAY + ".ProjectiveLight = 0"), HANDLES, 1),
+        (shell(DISPLAY + ".AreaLight = 0"), HANDLES, 0)],
+}
+
+
+def gestures(notes, uses):
+    yield python("import newcomer_record; from paraview.simple import *")
+    for use in uses:
+        for index, (steps, expression, _) in enumerate(USES[use]):
+            yield from steps
+            if expression:
+                yield python(f"newcomer_record.note({notes!r}, '{use} {index}', lambda: {expression})")
+        yield python("newcomer_record.reset()")
+
+
+def main():
+    folder = os.path.realpath(sys.argv[1])
+    uses = sys.argv[2:] or list(USES)
+    os.makedirs(folder, exist_ok=True)
+    notes = os.path.join(folder, "notes.json")
+    if os.path.exists(notes):
+        os.remove(notes)
+    checks = Checks()
+    status, log = play(gestures(notes, uses), folder, "client", SECONDS)
+    checks.equal(status, 0, "exit status of the client")
+    print("\n".join(log))
+    results = {}
+    if os.path.exists(notes):
+        with open(notes, encoding="utf-8") as file:
+            results = dict(json.loads(line) for line in file)
+    for use in uses:
+        for index, (_, expression, expected) in enumerate(USES[use]):
+            if expression:
+                name = f"{use} {index}"
+                checks.equal(results.get(name), expected, name)
+    checks.finish()
+
+
+main()
