@@ -110,6 +110,11 @@ bool vtkSMProposedRangeDomain::CanReadAllTimeSteps(const Selection& selection)
   const double size = steps * information->GetMemorySize();
   if (size > MaximumSeriesSize)
   {
+    if (this->WarnedSelection == selection)
+    {
+      return false;
+    }
+    this->WarnedSelection = selection;
     vtkWarningMacro(
       "The default values use the range of the current time step only, because reading all "
       << steps << " time steps requires about " << std::round(size / 1e6)

@@ -69,7 +69,7 @@ protected:
   /// if the array is missing, has several components or has no finite value.
   bool FindRange(const Selection& selection, bool overTime, double range[2]);
   /// Returns true if there are several time steps and their total size is at most
-  /// MaximumSeriesSize. Warns if it is larger.
+  /// MaximumSeriesSize. Warns once if it is larger.
   bool CanReadAllTimeSteps(const Selection& selection);
   void SetRange(const double range[2]);
   /// Returns the row proposed for the current range; empty if there is no range.
@@ -82,6 +82,7 @@ private:
 
   int AllTimeSteps = 0;
   Selection LastSelection;
+  Selection WarnedSelection;
   // Cached range of LastSelection over all time steps; empty (lower > upper) until all steps have
   // been read.
   double RangeOverTime[2] = { 1.0, 0.0 };
