@@ -79,5 +79,6 @@ void vtkIntervalAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Intervals.Print(os, indent);
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
+  os << indent << "SizeWarningLimit: " << this->SizeWarningLimit << "\n";
   os << indent << "ReportBalance: " << this->ReportBalance << "\n";
 }

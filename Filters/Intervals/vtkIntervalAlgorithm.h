@@ -68,6 +68,18 @@ public:
 
   ///@{
   /**
+   * Set/get the number of output tetrahedra above which an execution warns before it allocates
+   * them. The warning reports the number, the memory, and how to reduce them. It is also issued if
+   * the output needs more than a quarter of the memory that the process can use. Each process warns
+   * at most once per execution, about its part of the output. The limit does not change the output.
+   * 0 turns the warning off. Default 5 million.
+   */
+  vtkSetClampMacro(SizeWarningLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(SizeWarningLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * If true, each process of the global controller tells the others, at the end of an execution,
    * how many of its cells have output. The first output gets the field arrays `CellsOfProcesses`,
    * with these numbers, and `LoadBalance`, their maximum divided by their mean. All processes must
@@ -105,6 +117,7 @@ private:
   vtkIntervalList Intervals;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool WarnOnEmptyOutput = true;
+  vtkIdType SizeWarningLimit = 5000000;
   bool ReportBalance = false;
 };
 

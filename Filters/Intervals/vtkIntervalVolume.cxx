@@ -128,7 +128,7 @@ int vtkIntervalVolume::RequestData(
     this,
     [this](vtkDataSet* input, int& association)
     { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    names, this->UseValueIndex ? this->Index.GetPointer() : nullptr);
+    names, this->UseValueIndex ? this->Index.GetPointer() : nullptr, this->GetSizeWarningLimit());
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
@@ -231,6 +231,7 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
+  extraction.Warning = &run.GetSizeWarning();
   extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
   extraction.IdName = "IntervalId";
   extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();

@@ -77,8 +77,8 @@ struct InteriorCellPass;
  * Warnings (vtkWarningMacro), for each dataset: quadratic cells, concave polyhedra, folded cells,
  * NaN or infinite coordinates, and non-monotonic coordinates of a rectilinear grid. Further
  * warnings report single-precision points too far from the origin, and AMR levels that overlap or
- * meet at a face that an isovalue intersects. An empty output causes one warning for all datasets,
- * see WarnOnEmptyOutput.
+ * meet at a face that an isovalue intersects. An empty or large output causes one warning for all
+ * datasets, see WarnOnEmptyOutput and SizeWarningLimit.
  *
  * @sa vtkIsotableContour vtkTimeVaryingIntervalVolume vtkIsotable
  */

@@ -74,7 +74,11 @@ void SetSlabNumber(vtkUnstructuredGrid* grid, std::size_t slab)
 }
 }
 
-vtkTimeSlabWriter::vtkTimeSlabWriter() = default;
+vtkTimeSlabWriter::vtkTimeSlabWriter()
+{
+  // Only one slab is in memory.
+  this->SetSizeWarningLimit(0);
+}
 
 vtkTimeSlabWriter::~vtkTimeSlabWriter() = default;
 
@@ -157,8 +161,8 @@ bool vtkTimeSlabWriter::Write()
     return false;
   }
   this->UpdateInformation();
-  const std::vector<double> times = this->GetSelectedTimes();
-  if (const Error error = this->CheckTimes(times))
+  const std::vector<int> steps = this->GetSelectedSteps(this->GetTimeStepStride());
+  if (const Error error = this->CheckTimes(steps))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -173,7 +177,7 @@ bool vtkTimeSlabWriter::Write()
     kinds.push_back(this->GetGenerateBoundary(kind));
   }
   this->SetWarnOnEmptyOutput(false);
-  const Error error = this->WriteSlabs(times, kinds);
+  const Error error = this->WriteSlabs(steps, kinds);
   this->SetWarnOnEmptyOutput(warnOnEmptyOutput);
   this->SetTimeStepRange(range);
   for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
@@ -188,11 +192,10 @@ bool vtkTimeSlabWriter::Write()
   return !error && !this->GetAbortExecute();
 }
 
-Error vtkTimeSlabWriter::WriteSlabs(
-  const std::vector<double>& times, const std::vector<bool>& kinds)
+Error vtkTimeSlabWriter::WriteSlabs(const std::vector<int>& steps, const std::vector<bool>& kinds)
 {
+  const std::vector<double> times = this->GetTimes(steps);
   const std::vector<Port> ports = this->GetPorts(kinds);
-  const int firstStep = this->GetFirstStep();
   std::error_code failure;
   std::filesystem::create_directories(
     AtomicFiles::GetPath(this->GetSlabName({ 0, "" }, 0, false)).parent_path(), failure);
@@ -205,7 +208,7 @@ Error vtkTimeSlabWriter::WriteSlabs(
   for (std::size_t slab = 0; slab + 1 < times.size() && !this->GetAbortExecute(); ++slab)
   {
     const double* slabTimes = &times[slab];
-    this->SetSlab(slab, times.size() - 2, firstStep, kinds);
+    this->SetSlab(slab, steps, kinds);
     std::string difference;
     if (this->IsWritten(ports, slab, slabTimes, difference))
     {
@@ -236,10 +239,10 @@ Error vtkTimeSlabWriter::WriteSlabs(
 }
 
 void vtkTimeSlabWriter::SetSlab(
-  std::size_t slab, std::size_t last, int firstStep, const std::vector<bool>& kinds)
+  std::size_t slab, const std::vector<int>& steps, const std::vector<bool>& kinds)
 {
-  const int step = firstStep + static_cast<int>(slab);
-  this->SetTimeStepRange(step, step + 1);
+  const std::size_t last = steps.size() - 2;
+  this->SetTimeStepRange(steps[slab], steps[slab + 1]);
   for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
   {
     const bool isAtStart =

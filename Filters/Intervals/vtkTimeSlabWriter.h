@@ -37,9 +37,9 @@ class Fingerprint;
  * still read to compute the digest, but not extracted. Other files are replaced, with one warning
  * that reports their number and the first difference.
  *
- * The writer runs in one process and requests the full input. Each interior time step is read
- * twice. Progress events refer to the current slab. An abort stops after the current slab and
- * writes no index.
+ * The default of SizeWarningLimit is 0 in this class. The writer runs in one process and requests
+ * the full input. Each interior time step is read twice. Progress events refer to the current slab.
+ * An abort stops after the current slab and writes no index.
  *
  * Errors (vtkErrorMacro, Write() returns false): no FileName, no input, composite input, a file
  * that cannot be written, and the errors of vtkTimeVaryingIntervalVolume.
@@ -95,9 +95,9 @@ private:
   std::string GetSlabName(const Port& port, std::size_t slab, bool isInIndex) const;
   std::string GetIndexName(const Port& port) const;
   /// Extracts and writes the slabs that have no valid files yet.
-  interlume::Error WriteSlabs(const std::vector<double>& times, const std::vector<bool>& kinds);
+  interlume::Error WriteSlabs(const std::vector<int>& steps, const std::vector<bool>& kinds);
   /// Sets the step range and the boundary kinds for a slab.
-  void SetSlab(std::size_t slab, std::size_t last, int firstStep, const std::vector<bool>& kinds);
+  void SetSlab(std::size_t slab, const std::vector<int>& steps, const std::vector<bool>& kinds);
   /// Returns a fingerprint of the settings that the files of a slab depend on. It excludes the
   /// input.
   interlume::Fingerprint MakeFingerprint(std::size_t slab, const double* times);

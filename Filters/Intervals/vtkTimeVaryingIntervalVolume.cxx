@@ -5,6 +5,7 @@
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyOutputDiagnosis.h"
 #include "Static/ExtractionInput.h"
+#include "TimeVarying/SeriesEstimate.h"
 #include "TimeVarying/TimeVaryingRun.h"
 
 #include "vtkDataSet.h"
@@ -15,14 +16,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkTimeVaryingIntervalVolume);
 
 namespace
 {
 constexpr int NumberOfPorts = 3;
+// Number of slabs below which LimitTimeSteps() shortens the range instead of increasing the stride.
+constexpr int MinimumNumberOfSlabs = 4;
 }
 
 vtkTimeVaryingIntervalVolume::vtkTimeVaryingIntervalVolume()
@@ -87,8 +92,9 @@ int vtkTimeVaryingIntervalVolume::RequestInformation(
   return 1;
 }
 
-interlume::Error vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<double>& times) const
+interlume::Error vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<int>& steps) const
 {
+  const std::vector<double> times = this->GetTimes(steps);
   std::ostringstream message;
   if (times.size() < 2)
   {
@@ -99,7 +105,7 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<doub
   }
   for (std::size_t i = 0; i < times.size(); ++i)
   {
-    const std::size_t step = this->GetFirstStep() + i;
+    const int step = steps[i];
     if (!std::isfinite(times[i]))
     {
       message << "Time step " << step << " has the time " << times[i] << ", which is not finite.";
@@ -108,7 +114,7 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<doub
     if (i > 0 && times[i] < times[i - 1])
     {
       message << "Time step " << step << " (time " << times[i] << ") is before time step "
-              << step - 1 << " (time " << times[i - 1] << ").";
+              << steps[i - 1] << " (time " << times[i - 1] << ").";
       return message.str();
     }
   }
@@ -129,38 +135,46 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckDirection() const
   return message.str();
 }
 
-int vtkTimeVaryingIntervalVolume::GetFirstStep() const
-{
-  return std::max(this->TimeStepRange[0], 0);
-}
-
-std::vector<double> vtkTimeVaryingIntervalVolume::GetSelectedTimes() const
+std::vector<int> vtkTimeVaryingIntervalVolume::GetSelectedSteps(int stride) const
 {
   const int number = static_cast<int>(this->TimeSteps.size());
-  const int first = this->GetFirstStep();
   const int last = std::min(this->TimeStepRange[1], number - 1);
-  return first <= last
-    ? std::vector<double>(this->TimeSteps.begin() + first, this->TimeSteps.begin() + last + 1)
-    : std::vector<double>();
+  std::vector<int> steps;
+  for (int step = std::max(this->TimeStepRange[0], 0); step <= last;)
+  {
+    steps.push_back(step);
+    step += step == last ? 1 : std::min(stride, last - step);
+  }
+  return steps;
+}
+
+std::vector<double> vtkTimeVaryingIntervalVolume::GetTimes(const std::vector<int>& steps) const
+{
+  std::vector<double> times;
+  for (const int step : steps)
+  {
+    times.push_back(this->TimeSteps[static_cast<std::size_t>(step)]);
+  }
+  return times;
 }
 
 int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-  const std::vector<double> times = this->GetSelectedTimes();
-  if (this->Run || !times.empty())
+  const std::vector<int> steps = this->GetSelectedSteps(this->TimeStepStride);
+  if (this->Run || !steps.empty())
   {
     inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
-      this->Run ? this->Run->GetNextTime() : times.front());
+      this->Run ? this->Run->GetNextTime() : this->TimeSteps[steps.front()]);
   }
   return 1;
 }
 
 bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 {
-  const std::vector<double> times = this->GetSelectedTimes();
-  for (const interlume::Error& error : { this->CheckTimes(times), this->CheckDirection(),
+  const std::vector<int> steps = this->GetSelectedSteps(this->TimeStepStride);
+  for (const interlume::Error& error : { this->CheckTimes(steps), this->CheckDirection(),
          interlume::ExtractionInput::CheckIntervals(this->GetIntervals()) })
   {
     if (error)
@@ -174,8 +188,96 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
     this,
     [this](vtkDataSet* input, int& association)
     { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    this->GetIntervals(), options, this->GetFirstStep(), times);
+    this->GetIntervals(), options, steps, this->GetTimes(steps), this->GetSizeWarningLimit());
   return true;
+}
+
+std::unique_ptr<interlume::SeriesEstimate> vtkTimeVaryingIntervalVolume::EstimateSeries(
+  const std::function<std::vector<int>(int lastStep)>& chooseDistances)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  this->UpdateInformation();
+  const std::vector<int> steps = this->GetSelectedSteps(1);
+  if (this->CheckTimes(steps) || this->CheckDirection() ||
+    interlume::ExtractionInput::CheckIntervals(this->GetIntervals()))
+  {
+    return nullptr;
+  }
+  const auto findArray = [this](vtkDataSet* input, int& association)
+  { return this->GetInputAbstractArrayToProcess(0, input, association); };
+  const vtkTimeVaryingSettings& settings = *this;
+  auto estimate = std::make_unique<interlume::SeriesEstimate>(
+    this, findArray, this->GetIntervals(), settings, this->GetTimes(steps));
+  int port = 0;
+  vtkAlgorithm* source = this->GetInputAlgorithm(0, 0, port);
+  const auto read = [this, source, port, first = steps.front()](int step)
+  {
+    source->GetOutputInformation(port)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
+      this->TimeSteps[static_cast<std::size_t>(first + step)]);
+    source->Update(port);
+    return source->GetOutputDataObject(port);
+  };
+  return estimate->Read(chooseDistances(estimate->GetLastStep()), read) ? std::move(estimate)
+                                                                        : nullptr;
+}
+
+vtkIdType vtkTimeVaryingIntervalVolume::EstimateNumberOfTetrahedra()
+{
+  const auto estimate = this->EstimateSeries(
+    [this](int last) { return std::vector<int>{ std::min(this->TimeStepStride, last) }; });
+  return estimate ? static_cast<vtkIdType>(estimate->GetSize(this->TimeStepStride)) : 0;
+}
+
+vtkIdType vtkTimeVaryingIntervalVolume::LimitTimeSteps()
+{
+  int longest = 1;
+  const auto estimate = this->EstimateSeries(
+    [&longest](int last)
+    {
+      longest = std::max(1, last / MinimumNumberOfSlabs);
+      std::vector<int> distances;
+      for (int distance = 1; distance < longest; distance *= 2)
+      {
+        distances.push_back(distance);
+      }
+      distances.push_back(longest);
+      return distances;
+    });
+  if (!estimate)
+  {
+    return 0;
+  }
+  const double limit = this->GetSizeWarningLimit() > 0
+    ? static_cast<double>(this->GetSizeWarningLimit())
+    : std::numeric_limits<double>::infinity();
+  int stride = 1;
+  while (stride < longest && estimate->GetSize(stride) > limit)
+  {
+    ++stride;
+  }
+  double size = estimate->GetSize(stride);
+  if (size > limit)
+  {
+    int last = stride;
+    size = estimate->GetSlabSize(stride, 0);
+    for (double next = 0.0; last < estimate->GetLastStep(); last += stride, size = next)
+    {
+      next = size + estimate->GetSlabSize(stride, last);
+      if (next > limit)
+      {
+        break;
+      }
+    }
+    if (last < estimate->GetLastStep())
+    {
+      this->SetTimeStepRange(this->TimeStepRange[0], std::max(this->TimeStepRange[0], 0) + last);
+    }
+  }
+  this->SetTimeStepStride(stride);
+  return static_cast<vtkIdType>(size);
 }
 
 int vtkTimeVaryingIntervalVolume::RequestData(
@@ -293,6 +395,7 @@ void vtkTimeVaryingIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TimeStepRange: " << this->TimeStepRange[0] << " to " << this->TimeStepRange[1]
      << "\n";
+  os << indent << "TimeStepStride: " << this->TimeStepStride << "\n";
   os << indent << "ProjectionDirection: " << this->ProjectionDirection[0] << " "
      << this->ProjectionDirection[1] << " " << this->ProjectionDirection[2] << " "
      << this->ProjectionDirection[3] << "\n";

@@ -8,13 +8,15 @@
 #include "vtkNew.h"                 // for the report
 #include "vtkTimeVaryingSettings.h" // for the settings
 
-#include <memory> // for the state between time steps
-#include <string> // for messages
-#include <vector> // for the time steps
+#include <functional> // for estimates
+#include <memory>     // for the state between time steps
+#include <string>     // for messages
+#include <vector>     // for the time steps
 
 namespace interlume
 {
 class Error;
+class SeriesEstimate;
 class TimeVaryingRun;
 struct TimeVaryingReport;
 }
@@ -70,7 +72,8 @@ struct TimeVaryingReport;
  *
  * Warnings (vtkWarningMacro): an array that is skipped because it is missing in a step or named
  * `DeltaT` or `Time`; a slab that is skipped because its duration is zero; an empty output (see
- * WarnOnEmptyOutput); and the warnings of vtkIntervalVolume, except for quadratic cells.
+ * WarnOnEmptyOutput); a large output (see SizeWarningLimit), estimated from the slabs so far; and
+ * the warnings of vtkIntervalVolume, except for quadratic cells.
  *
  * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper vtkTimeSlabWriter
  */
@@ -118,6 +121,31 @@ public:
   vtkSetVector2Macro(TimeStepRange, int);
   vtkGetVector2Macro(TimeStepRange, int);
   ///@}
+
+  ///@{
+  /**
+   * Set/get the stride of the time steps: every TimeStepStride-th step of TimeStepRange is used,
+   * and always the last one. Larger strides make fewer and longer slabs. Default 1.
+   */
+  vtkSetClampMacro(TimeStepStride, int, 1, VTK_INT_MAX);
+  vtkGetMacro(TimeStepStride, int);
+  ///@}
+
+  /**
+   * Estimate the number of tetrahedra that an execution with the current settings creates. Updates
+   * the input at up to twelve time steps, and extracts a sample of cells. Returns 0 if an execution
+   * would report an error. With several processes, the number refers to this process, and all
+   * processes must call the function.
+   */
+  vtkIdType EstimateNumberOfTetrahedra();
+
+  /**
+   * Choose time steps for which the estimated number of tetrahedra is at most SizeWarningLimit, and
+   * return the estimate. Sets TimeStepStride to the lowest sufficient value. If fewer than four
+   * slabs would remain, it shortens TimeStepRange instead, to at least one slab. Updates the input
+   * at some of its time steps; see EstimateNumberOfTetrahedra() for processes and errors.
+   */
+  vtkIdType LimitTimeSteps();
 
   ///@{
   /**
@@ -193,13 +221,13 @@ protected:
   void ProcessStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*,
     interlume::TimeVaryingReport& report);
 
-  /// Returns an error if \a times has fewer than two entries, or if they decrease or are not
+  /// Returns an error if there are fewer than two steps, or if their times decrease or are not
   /// finite.
-  interlume::Error CheckTimes(const std::vector<double>& times) const;
+  interlume::Error CheckTimes(const std::vector<int>& steps) const;
   interlume::Error CheckDirection() const;
-  int GetFirstStep() const;
-  /// Returns the times of the selected steps.
-  std::vector<double> GetSelectedTimes() const;
+  /// Returns the indices of the steps of TimeStepRange with the given stride.
+  std::vector<int> GetSelectedSteps(int stride) const;
+  std::vector<double> GetTimes(const std::vector<int>& steps) const;
   /// Starts an execution, which copies the time steps if \a copiesSteps is true. Reports an error
   /// and returns false if a parameter is invalid.
   bool Begin(bool copiesSteps);
@@ -209,6 +237,11 @@ protected:
   std::string ExplainEmpty(interlume::TimeVaryingRun& run);
 
 private:
+  /// Samples the input. \a chooseDistances returns the distances of the slabs to sample, up to \a
+  /// lastStep. Returns null if the input cannot be extracted.
+  std::unique_ptr<interlume::SeriesEstimate> EstimateSeries(
+    const std::function<std::vector<int>(int lastStep)>& chooseDistances);
+
   vtkTimeVaryingIntervalVolume(const vtkTimeVaryingIntervalVolume&) = delete;
   void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
 

@@ -61,6 +61,7 @@ struct vtkTimeVaryingSettings
   };
 
   int TimeStepRange[2] = { 0, std::numeric_limits<int>::max() };
+  int TimeStepStride = 1;
   double ProjectionDirection[4] = { 0.0, 0.0, 0.0, 1.0 };
   bool GenerateTetrahedra = true;
   bool GenerateSimplices = false;

@@ -102,6 +102,37 @@ bool ExtractionArrays::AreCompatible(vtkAbstractArray* a, vtkAbstractArray* b)
     (a->IsA("vtkDataArray") || a->GetDataType() == b->GetDataType());
 }
 
+std::size_t ExtractionArrays::GetBytesPerPoint(vtkDataSet* input, int precision)
+{
+  std::size_t bytes = 3 * vtkDataArray::GetDataTypeSize(ChoosePointType(input, precision));
+  vtkPointData* arrays = input->GetPointData();
+  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = arrays->GetArray(a);
+    if (array && IsCarried(arrays, array))
+    {
+      bytes += static_cast<std::size_t>(array->GetNumberOfComponents()) *
+        vtkDataArray::GetDataTypeSize(GetInterpolatedType(array->GetDataType()));
+    }
+  }
+  return bytes;
+}
+
+std::size_t ExtractionArrays::GetBytesPerCell(vtkDataSet* input)
+{
+  std::size_t bytes = 0;
+  vtkCellData* arrays = input->GetCellData();
+  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = arrays->GetArray(a);
+    if (array && IsCarried(arrays, array))
+    {
+      bytes += static_cast<std::size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
+    }
+  }
+  return bytes;
+}
+
 bool ExtractionArrays::GetRowDimensions(vtkDataSet* input, int dimensions[3])
 {
   if (vtkImageData* image = vtkImageData::SafeDownCast(input))

@@ -5,6 +5,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstddef>
+
 class vtkAbstractArray;
 class vtkCellData;
 class vtkDataSet;
@@ -28,6 +30,13 @@ public:
   /// Returns the type of output coordinates, VTK_FLOAT or VTK_DOUBLE, for a value of
   /// vtkAlgorithm::DesiredOutputPrecision.
   static int ChoosePointType(vtkDataSet* input, int precision);
+
+  ///@{
+  /// Return the size in bytes of an output point, with its coordinates and arrays, and of the
+  /// arrays of an output cell.
+  static std::size_t GetBytesPerPoint(vtkDataSet* input, int precision);
+  static std::size_t GetBytesPerCell(vtkDataSet* input);
+  ///@}
 
   /// Copies the cell arrays. \a cells contains the input cell of each of \a number output cells.
   /// Returns the number of copied arrays.

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -70,6 +71,10 @@ struct ExtractionMesh
   void Allocate(vtkIdType points, vtkIdType simplices, int size, vtkIdType triangles,
     bool keepCellIds, vtkIdType interiorCells = 0, vtkIdType interiorIds = 0)
   {
+    if (this->BeforeAllocation)
+    {
+      this->BeforeAllocation(points, simplices, interiorCells);
+    }
     this->Simplices.Allocate(simplices, size, points, interiorCells, interiorIds);
     const vtkIdType cells = simplices + interiorCells;
     OutputAllocation::SetNumberOfTuples(this->ItemIds, cells);
@@ -158,6 +163,11 @@ struct ExtractionMesh
   /// A mark per point, set if an output cell uses it; empty if all points are used. The points of
   /// tied simplices are marked after opposite pairs have been found.
   ExtractionBuffer<std::atomic<unsigned char>> Used;
+
+  /// Receives the number of points, simplices and interior cells before they are allocated. May be
+  /// empty.
+  std::function<void(vtkIdType points, vtkIdType simplices, vtkIdType interiorCells)>
+    BeforeAllocation;
 };
 
 /**

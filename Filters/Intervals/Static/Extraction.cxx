@@ -6,6 +6,7 @@
 #include "Common/ArrayMatch.h"
 #include "Common/GridCells.h"
 #include "Grid/InteriorCellFilter.h"
+#include "Output/SizeWarning.h"
 #include "Pass/ExtractionCleanup.h"
 #include "Pass/ExtractionIndex.h"
 #include "Pass/GhostCells.h"
@@ -77,6 +78,28 @@ void AddCellOrigins(const vtkIdType* cells, std::size_t number, vtkCellData* out
   std::copy_n(cells, number, origins->GetPointer(0));
   AddNamed(output, origins, "OriginCell");
 }
+}
+
+// Warns if the output is large. The bytes include the lists of points and cells that exist until
+// the arrays are filled.
+void Extraction::CheckSize(const ExtractionContext& context, vtkIdType points, vtkIdType simplices,
+  vtkIdType interiorCells) const
+{
+  constexpr int pointsOfInteriorCell = 8;
+  const vtkIdType cells = simplices + interiorCells;
+  const vtkIdType ids = 4 * simplices + pointsOfInteriorCell * interiorCells;
+  const std::size_t idBytes = SimplexList::CanUse32BitStorage(points, ids) ? 4 : 8;
+  const std::size_t pointBytes =
+    ExtractionArrays::GetBytesPerPoint(context.Input, this->OutputPointsPrecision) +
+    (context.Arrays ? 0 : sizeof(ExtractionPoint));
+  const std::size_t cellBytes = ExtractionArrays::GetBytesPerCell(context.Input) + idBytes + 1 +
+    sizeof(int) + (context.KeepCellIds ? sizeof(vtkIdType) : 0);
+  this->Warning->Add(static_cast<double>(simplices),
+    static_cast<double>(points) * pointBytes + static_cast<double>(cells) * cellBytes +
+      static_cast<double>(ids) * idBytes,
+    this->InteriorPass ? "Use narrower intervals or a coarser input."
+                       : "Use narrower intervals or a coarser input, or turn on "
+                         "KeepInteriorCells.");
 }
 
 bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays)
@@ -166,6 +189,12 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   PointArrays arrays(context.Input, this->OutputPointsPrecision);
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
+  if (this->Warning && this->Warning->IsPending())
+  {
+    mesh.BeforeAllocation = [this, &context](
+                              vtkIdType points, vtkIdType simplices, vtkIdType interiorCells)
+    { this->CheckSize(context, points, simplices, interiorCells); };
+  }
   if (!this->ExtractMesh(context, mesh, arrays))
   {
     return false;

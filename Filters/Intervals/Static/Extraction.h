@@ -10,6 +10,7 @@ namespace interlume
 {
 
 struct InteriorCellPass;
+class SizeWarning;
 
 /**
  * @class   Extraction
@@ -22,6 +23,8 @@ class Extraction
 public:
   vtkAlgorithm* Owner = nullptr;
   const ExtractionValues* Values = nullptr;
+  /// Warns about a large output; null in further passes.
+  SizeWarning* Warning = nullptr;
   /// Index of value ranges; null if not used.
   ExtractionIndex* Index = nullptr;
   /// Name of the cell array of item indices; null if not written.
@@ -49,6 +52,8 @@ public:
     vtkUnstructuredGrid* boundary, ExtractionReport& report);
 
 private:
+  void CheckSize(const ExtractionContext& context, vtkIdType points, vtkIdType simplices,
+    vtkIdType interiorCells) const;
   bool ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays);
   void FillOutput(const ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays,
     vtkDataSet* original, vtkUnstructuredGrid* output) const;

@@ -4,6 +4,7 @@
 
 #include "Common/Error.h"
 #include "Output/ExtractionReport.h"
+#include "Output/SizeWarning.h"
 #include "Static/EmptyOutputDiagnosis.h"
 #include "Static/RefinementLevels.h"
 
@@ -31,9 +32,10 @@ class ExtractionRun
 {
 public:
   /// \a names are one-component arrays that are needed in addition to the scalars. \a index caches
-  /// converted cell arrays; null if there is none.
+  /// converted cell arrays; null if there is none. \a sizeWarningLimit is a number of tetrahedra,
+  /// or 0 for no warning.
   ExtractionRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
-    const std::vector<std::string>& names, ExtractionIndex* index);
+    const std::vector<std::string>& names, ExtractionIndex* index, vtkIdType sizeWarningLimit = 0);
 
   /// Returns the scalars of a dataset. If cell arrays are converted, sets \a input to a copy with
   /// the point arrays. Issues an error and returns null if the scalars are invalid or if \a
@@ -44,6 +46,8 @@ public:
   void Add(vtkDataSet* input, int precision, const ExtractionReport& report);
 
   ExtractionReport& GetReport() { return this->Report; }
+
+  SizeWarning& GetSizeWarning() { return this->Size; }
 
   EmptyOutputDiagnosis& GetEmptyOutputDiagnosis() { return this->Empty; }
 
@@ -66,6 +70,7 @@ private:
   CellArrayConversion Conversion;
   ExtractionReport Report;
   EmptyOutputDiagnosis Empty;
+  SizeWarning Size;
 };
 
 }

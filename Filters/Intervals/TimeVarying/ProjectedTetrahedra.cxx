@@ -119,6 +119,32 @@ ProjectedTetrahedra::ProjectedTetrahedra(
 
 ProjectedTetrahedra::~ProjectedTetrahedra() = default;
 
+double ProjectedTetrahedra::EstimateNumber(const TimeVaryingMesh& mesh)
+{
+  constexpr vtkIdType maximumBatches = 32;
+  const Slab& slab = mesh.GetSlabs().back();
+  const vtkIdType number = static_cast<vtkIdType>(slab.Flats.GetSize());
+  SimplexProjection::Corners corners[BatchSize];
+  SimplexProjection projections[BatchSize];
+  vtkIdType projected = 0;
+  vtkIdType tetrahedra = 0;
+  const vtkIdType step = std::max<vtkIdType>(BatchSize, number / maximumBatches);
+  for (vtkIdType first = 0; first < number; first += step)
+  {
+    const int size = static_cast<int>(std::min<vtkIdType>(BatchSize, number - first));
+    mesh.GetProjected(slab.Simplices.GetData() + first, size, corners);
+    SimplexProjection::Project(corners, slab.Flats.GetData() + first, size, projections);
+    for (int s = 0; s < size; ++s)
+    {
+      tetrahedra += projections[s].IsFlat() ? 0 : projections[s].GetNumberOfTetrahedra();
+    }
+    projected += size;
+  }
+  return projected > 0
+    ? static_cast<double>(tetrahedra) * static_cast<double>(number) / static_cast<double>(projected)
+    : 0.0;
+}
+
 bool ProjectedTetrahedra::Fill(TimeVaryingReport& report)
 {
   this->MakeBlocks();

@@ -42,6 +42,10 @@ public:
   /// Fills the output and adds the counts to the report. Returns false if the user aborted.
   bool Fill(TimeVaryingReport& report);
 
+  /// Returns the number of tetrahedra of the last slab of a mesh, estimated from some of its
+  /// 4-simplices. Returns 0 if tetrahedra are not requested.
+  static double EstimateNumber(const TimeVaryingMesh& mesh);
+
 private:
   using Simplex = TimeVaryingMesh::Simplex;
   using Slab = TimeVaryingMesh::Slab;

@@ -623,6 +623,21 @@ void TimeVaryingMesh::RemoveUnusedPoints()
   this->UpdateCoordinatePointers();
 }
 
+std::size_t TimeVaryingMesh::GetBytesPerPoint() const
+{
+  if (!this->Points)
+  {
+    return 0;
+  }
+  std::size_t bytes = 3 * this->Points->GetData()->GetDataTypeSize() + sizeof(double);
+  for (int a = 0; a < this->Arrays->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = this->Arrays->GetAbstractArray(a);
+    bytes += static_cast<std::size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
+  }
+  return bytes;
+}
+
 std::size_t TimeVaryingMesh::GetBytes() const
 {
   std::size_t bytes = this->EndPoints.capacity() * sizeof(SharedPoint) +

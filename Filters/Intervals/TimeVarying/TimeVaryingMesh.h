@@ -165,6 +165,9 @@ public:
 
   std::size_t GetBytes() const;
 
+  /// Returns the size in bytes of a point with its time and arrays, or 0 if the mesh is empty.
+  std::size_t GetBytesPerPoint() const;
+
   /// Returns a point in projection coordinates, see TimeVaryingOptions::Project().
   SimplexProjection::Point GetProjected(vtkIdType id) const
   {

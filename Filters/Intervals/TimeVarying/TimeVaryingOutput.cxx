@@ -42,6 +42,33 @@ bool TimeVaryingOutput::FillTetrahedra(const ExtractionContext& context,
   return !mesh.GetPoints() || ProjectedTetrahedra(context, mesh, output).Fill(report);
 }
 
+double TimeVaryingOutput::EstimateBytes(const TimeVaryingMesh& mesh, double tetrahedra)
+{
+  if (!mesh.GetPoints())
+  {
+    return 0.0;
+  }
+  // Ids, offset and type of a cell, and its cell arrays.
+  constexpr int bytesPerTetrahedron = 4 * 4 + 4 + 1 + 1 + 2 * sizeof(int);
+  constexpr int bytesPerSimplex = NumberOfPoints * 4 + 4 + 1 + 1 + 2 * sizeof(int);
+  const vtkTimeVaryingSettings& settings = mesh.GetOptions().Settings;
+  const double points = static_cast<double>(mesh.GetPoints()->GetNumberOfPoints());
+  const double pointBytes = static_cast<double>(mesh.GetBytesPerPoint());
+  double simplices = 0.0;
+  for (const Slab& slab : mesh.GetSlabs())
+  {
+    simplices += static_cast<double>(slab.Simplices.GetSize());
+  }
+  double bytes = static_cast<double>(mesh.GetBytes()) + points * pointBytes;
+  if (settings.GenerateTetrahedra)
+  {
+    // Each 4-simplex has a thick point. DeltaT is stored for all points.
+    bytes += (points + simplices) * (pointBytes + sizeof(double)) +
+      simplices * sizeof(SimplexSigns) + tetrahedra * bytesPerTetrahedron;
+  }
+  return settings.GenerateSimplices ? bytes + simplices * bytesPerSimplex : bytes;
+}
+
 void TimeVaryingOutput::FillBoundary(
   const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, TimeVaryingReport& report)
 {

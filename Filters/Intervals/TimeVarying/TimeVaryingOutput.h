@@ -26,6 +26,9 @@ public:
   /// Returns false if the user aborted.
   static bool FillTetrahedra(const ExtractionContext& context, const TimeVaryingMesh& mesh,
     vtkUnstructuredGrid* output, TimeVaryingReport& report);
+  /// Returns the peak size in bytes of a mesh and its outputs, if the mesh has \a tetrahedra
+  /// tetrahedra.
+  static double EstimateBytes(const TimeVaryingMesh& mesh, double tetrahedra);
   /// Creates the boundary cells, with the points of the mesh.
   static void FillBoundary(
     const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, TimeVaryingReport& report);

@@ -5,6 +5,7 @@
 #include "Common/ArrayMatch.h"
 #include "Static/DataSetLeaves.h"
 #include "Static/ExtractionInput.h"
+#include "TimeVarying/ProjectedTetrahedra.h"
 #include "TimeVarying/TimeVaryingExtraction.h"
 #include "TimeVarying/TimeVaryingOutput.h"
 
@@ -14,6 +15,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace interlume
@@ -28,14 +30,15 @@ constexpr double ExtractionFraction = 0.7;
 
 TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
   const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
-  int firstStep, const std::vector<double>& times)
+  const std::vector<int>& steps, const std::vector<double>& times, vtkIdType sizeWarningLimit)
   : Owner(owner)
   , Conversion(owner, findArray, 1)
   , Intervals(intervals)
   , Values(ExtractionValues::ForIntervals(intervals))
   , Options(options)
-  , FirstStep(firstStep)
+  , Steps(steps)
   , Times(times)
+  , Size(owner, sizeWarningLimit)
 {
 }
 
@@ -54,8 +57,8 @@ void TimeVaryingRun::CopyStructure(vtkDataObject* input, vtkDataObject* output)
 std::string TimeVaryingRun::DescribeStep() const
 {
   std::ostringstream words;
-  words << "Time step " << this->FirstStep + this->NextStep << " (time "
-        << this->Times[this->NextStep] << ")";
+  words << "Time step " << this->Steps[this->NextStep] << " (time " << this->Times[this->NextStep]
+        << ")";
   return words.str();
 }
 
@@ -124,7 +127,53 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   this->Report.Slabs += hasSlab;
   ++this->NextStep;
   this->Report.TimeSteps = this->NextStep;
+  if (hasSlab && result == DONE)
+  {
+    this->CheckSize();
+  }
   return error;
+}
+
+void TimeVaryingRun::CheckSize()
+{
+  if (!this->Size.IsPending())
+  {
+    return;
+  }
+  SizeWarning::Size size;
+  for (const std::unique_ptr<Leaf>& leaf : this->Leaves)
+  {
+    if (leaf->Before)
+    {
+      leaf->Tetrahedra += ProjectedTetrahedra::EstimateNumber(leaf->Mesh);
+      size.Tetrahedra += leaf->Tetrahedra;
+      size.Bytes += TimeVaryingOutput::EstimateBytes(leaf->Mesh, leaf->Tetrahedra);
+    }
+  }
+  const int slabs = static_cast<int>(this->Steps.size()) - 1;
+  const double scale = static_cast<double>(slabs) / this->Report.Slabs;
+  size.Tetrahedra *= scale;
+  size.Bytes *= scale;
+  size.Qualifier = "about ";
+  std::ostringstream advice;
+  advice << "Use ";
+  if (slabs > 1)
+  {
+    const int stride = this->Options.Settings.TimeStepStride;
+    const double sufficient = std::ceil(stride * this->Size.GetExcess(size.Tetrahedra, size.Bytes));
+    advice << "fewer time steps (increase TimeStepStride, now " << stride << ", ";
+    if (sufficient < static_cast<double>(stride) * slabs)
+    {
+      advice << "to about " << sufficient << ", ";
+    }
+    advice << "or call LimitTimeSteps), ";
+    size.Basis = " (estimated from " + std::to_string(this->Report.Slabs) + " of " +
+      std::to_string(slabs) + " time slabs)";
+  }
+  advice << "narrower intervals or a coarser input, or write the slabs to files with "
+            "vtkTimeSlabWriter.";
+  size.Advice = advice.str();
+  this->Size.Check(size);
 }
 
 void TimeVaryingRun::WarnAboutNonFinitePoints(const TimeStep& step, vtkDataSet* input)

@@ -2,6 +2,7 @@
 #ifndef interlume_TimeVaryingRun_h
 #define interlume_TimeVaryingRun_h
 
+#include "Output/SizeWarning.h"
 #include "Scalars/ExtractionValues.h"
 #include "Static/EmptyOutputDiagnosis.h"
 #include "Static/RefinementLevels.h"
@@ -39,11 +40,11 @@ public:
     OVERWRITTEN
   };
 
-  /// Starts a run. \a times holds the times of the steps to use. The first of these is step \a
-  /// firstStep of the input.
+  /// Starts a run. \a steps are the indices of the steps to use, and \a times their times. \a
+  /// sizeWarningLimit is a number of tetrahedra, or 0 for no warning.
   TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
     const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
-    int firstStep, const std::vector<double>& times);
+    const std::vector<int>& steps, const std::vector<double>& times, vtkIdType sizeWarningLimit);
 
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
@@ -76,6 +77,8 @@ private:
     }
     std::unique_ptr<TimeStep> Before;
     TimeVaryingMesh Mesh;
+    // Estimated number of tetrahedra of the slabs so far.
+    double Tetrahedra = 0.0;
     // The key of the scalars (see ArrayMatch).
     std::string ScalarsKey;
   };
@@ -84,6 +87,8 @@ private:
   Error AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
   void WarnAboutNonFinitePoints(const TimeStep& step, vtkDataSet* input);
   void UpdateEmptyDiagnosis();
+  // Warns if the output will be large, judging by the slabs so far.
+  void CheckSize();
   /// Finds the scalars. If they are a cell array, sets \a input to a copy with the point array.
   Error FindScalars(vtkDataSet*& input, vtkDataArray*& scalars);
   std::string DescribeStep() const;
@@ -95,8 +100,9 @@ private:
   std::vector<vtkIntervalList::Interval> Intervals;
   ExtractionValues Values;
   TimeVaryingOptions Options;
-  int FirstStep;
+  std::vector<int> Steps;
   std::vector<double> Times;
+  SizeWarning Size;
   TimeVaryingReport Report;
   int NextStep = 0;
   // Number of folded cells of rectilinear grids, which the report includes in FoldedCells.
