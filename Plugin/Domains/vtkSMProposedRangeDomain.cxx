@@ -20,10 +20,6 @@ vtkStandardNewMacro(vtkSMProposedRangeDomain);
 
 namespace
 {
-// Indices of the elements of an ArraySelection property that store the association and the name.
-constexpr unsigned int AssociationElement = 3;
-constexpr unsigned int NameElement = 4;
-
 bool HasValues(vtkSMProperty* property, bool useUnchecked, const std::vector<double>& values)
 {
   vtkSMPropertyHelper helper(property, /*quiet=*/true);
@@ -53,28 +49,8 @@ unsigned int vtkSMProposedRangeDomain::GetRowSize()
   return rows ? std::max(rows->GetNumberOfElementsPerCommand(), 1) : 1;
 }
 
-vtkSMProposedRangeDomain::Selection vtkSMProposedRangeDomain::GetSelection()
-{
-  Selection selection;
-  vtkSMProperty* input = this->GetRequiredProperty("Input");
-  vtkSMProperty* array = this->GetRequiredProperty("ArraySelection");
-  if (input && array)
-  {
-    vtkSMUncheckedPropertyHelper inputHelper(input);
-    vtkSMUncheckedPropertyHelper arrayHelper(array);
-    if (inputHelper.GetNumberOfElements() > 0 && arrayHelper.GetNumberOfElements() > NameElement)
-    {
-      selection.Producer = vtkSMSourceProxy::SafeDownCast(inputHelper.GetAsProxy());
-      selection.Port = inputHelper.GetOutputPort();
-      selection.Association = arrayHelper.GetAsInt(AssociationElement);
-      const char* name = arrayHelper.GetAsString(NameElement);
-      selection.Name = name ? name : "";
-    }
-  }
-  return selection;
-}
-
-bool vtkSMProposedRangeDomain::FindRange(const Selection& selection, bool overTime, double range[2])
+bool vtkSMProposedRangeDomain::FindRange(
+  const vtkArraySelection& selection, bool overTime, double range[2])
 {
   selection.Producer->CreateOutputPorts();
   vtkPVArrayInformation* found = nullptr;
@@ -99,16 +75,15 @@ bool vtkSMProposedRangeDomain::FindRange(const Selection& selection, bool overTi
   return range[0] <= range[1];
 }
 
-bool vtkSMProposedRangeDomain::CanReadAllTimeSteps(const Selection& selection)
+bool vtkSMProposedRangeDomain::CanReadAllTimeSteps(const vtkArraySelection& selection)
 {
-  vtkPVDataInformation* information = selection.Producer->GetDataInformation(selection.Port);
-  const double steps = information ? information->GetNumberOfTimeSteps() : 0;
+  const int steps = selection.GetNumberOfTimeSteps();
   if (steps < 2)
   {
     return false;
   }
-  const double size = steps * information->GetMemorySize();
-  if (size > MaximumSeriesSize)
+  const double size = selection.GetSeriesSize();
+  if (size > vtkArraySelection::MaximumSeriesSize)
   {
     if (this->WarnedSelection == selection)
     {
@@ -151,7 +126,7 @@ bool vtkSMProposedRangeDomain::IsAwaitingApply()
 
 void vtkSMProposedRangeDomain::Update(vtkSMProperty*)
 {
-  const Selection selection = this->GetSelection();
+  const vtkArraySelection selection = vtkArraySelection::Find(this);
   if (!selection.IsComplete())
   {
     return;
@@ -192,7 +167,7 @@ void vtkSMProposedRangeDomain::Update(vtkSMProperty*)
 
 int vtkSMProposedRangeDomain::SetDefaultValues(vtkSMProperty* property, bool useUnchecked)
 {
-  const Selection selection = this->GetSelection();
+  const vtkArraySelection selection = vtkArraySelection::Find(this);
   double range[2];
   if (this->AllTimeSteps && selection.IsComplete() && this->CanReadAllTimeSteps(selection) &&
     this->FindRange(selection, true, range))

@@ -3,12 +3,10 @@
 #define vtkSMProposedRangeDomain_h
 
 #include "InterlumeDomainsModule.h" // for the export macro
+#include "vtkArraySelection.h"      // for the selected array
 #include "vtkSMDoubleRangeDomain.h"
 
-#include <string> // for the array name
 #include <vector> // for the proposed values
-
-class vtkSMSourceProxy;
 
 /**
  * @class   vtkSMProposedRangeDomain
@@ -34,9 +32,6 @@ public:
   vtkTypeMacro(vtkSMProposedRangeDomain, vtkSMDoubleRangeDomain);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Maximum total size of the time steps, in kilobytes, up to which all of them are read.
-  static constexpr double MaximumSeriesSize = 8e6;
-
   void Update(vtkSMProperty* requesting) override;
   int SetDefaultValues(vtkSMProperty* property, bool useUnchecked) override;
 
@@ -46,31 +41,14 @@ protected:
 
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
-  /// The array that determines the range.
-  struct Selection
-  {
-    vtkSMSourceProxy* Producer = nullptr;
-    unsigned int Port = 0;
-    int Association = 0;
-    std::string Name;
-
-    bool IsComplete() const { return this->Producer && !this->Name.empty(); }
-    bool operator==(const Selection& other) const
-    {
-      return this->Producer == other.Producer && this->Port == other.Port &&
-        this->Association == other.Association && this->Name == other.Name;
-    }
-  };
-
-  Selection GetSelection();
   /// Returns the number of values in a row of the property.
   unsigned int GetRowSize();
   /// Computes the range of the array in the current time step or in all time steps. Returns false
   /// if the array is missing, has several components or has no finite value.
-  bool FindRange(const Selection& selection, bool overTime, double range[2]);
+  bool FindRange(const vtkArraySelection& selection, bool overTime, double range[2]);
   /// Returns true if there are several time steps and their total size is at most
-  /// MaximumSeriesSize. Warns once if it is larger.
-  bool CanReadAllTimeSteps(const Selection& selection);
+  /// vtkArraySelection::MaximumSeriesSize. Warns once if it is larger.
+  bool CanReadAllTimeSteps(const vtkArraySelection& selection);
   void SetRange(const double range[2]);
   /// Returns the row proposed for the current range; empty if there is no range.
   std::vector<double> ComputeProposedValues();
@@ -81,8 +59,8 @@ private:
   void operator=(const vtkSMProposedRangeDomain&) = delete;
 
   int AllTimeSteps = 0;
-  Selection LastSelection;
-  Selection WarnedSelection;
+  vtkArraySelection LastSelection;
+  vtkArraySelection WarnedSelection;
   // Cached range of LastSelection over all time steps; empty (lower > upper) until all steps have
   // been read.
   double RangeOverTime[2] = { 1.0, 0.0 };

@@ -66,6 +66,8 @@ plugin_test(TestPluginProperties "paraview;value" ${batch} "${script}/TestPlugin
 plugin_test(TestPluginIntervals "paraview;value" ${batch} "${script}/TestPluginIntervals.py")
 plugin_test(TestPluginIntervalsInTime "paraview;value"
   ${batch} "${script}/TestPluginIntervalsInTime.py" "${PROJECT_SOURCE_DIR}/Data/mug.ex2")
+plugin_test(TestPluginTimeSteps "paraview;value"
+  ${batch} "${script}/TestPluginTimeSteps.py" "${CMAKE_CURRENT_BINARY_DIR}/TimeSteps.pvsm")
 plugin_test(TestPluginTimeSlabs "paraview;value"
   ${batch} "${script}/TestPluginTimeSlabs.py" "${CMAKE_CURRENT_BINARY_DIR}/TimeSlabs")
 plugin_test(TestPluginIntervalsRandom "paraview;value"
