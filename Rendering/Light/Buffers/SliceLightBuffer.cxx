@@ -159,8 +159,13 @@ Error SliceLightBuffer::PrepareVolume(
     own.TileVertices->Upload(drawn, vtkOpenGLBufferObject::ArrayBuffer);
   }
   const std::string source = SliceShader::GetLightBufferShaderSource(frame, light, hasLayers);
-  if (Error error =
-        own.Slices.Prepare(window, source, isTiled ? own.TileVertices.Get() : slices.GetVertices()))
+  const std::string markSource = SliceOcclusion::GetShaderSource(
+    light.IsWide ? SliceOcclusion::DEPTH : SliceOcclusion::TRANSMITTANCE,
+    frame.Image->GetLightChannels());
+  vtkOpenGLBufferObject* vertices = isTiled ? own.TileVertices.Get() : slices.GetVertices();
+  // The last program stays bound, and its uniforms are set below.
+  if (Error error = own.Marks.Prepare(window, markSource, vertices)
+                      .Then([&] { return own.Slices.Prepare(window, source, vertices); }))
   {
     return error;
   }
@@ -220,7 +225,7 @@ vtkIdType SliceLightBuffer::GetSoftShadowBytes() const
                         : 0;
 }
 
-int SliceLightBuffer::Begin(vtkOpenGLRenderWindow* window, int slab)
+int SliceLightBuffer::Begin(vtkOpenGLRenderWindow* window, const AllSlices& slices, int slab)
 {
   int passes = 0;
   if (this->Samples && this->Samples->Begin(window, this->Texture, slab, passes))
@@ -238,7 +243,7 @@ int SliceLightBuffer::Begin(vtkOpenGLRenderWindow* window, int slab)
     // opaque.
     this->Framebuffer->Bind();
     SliceOcclusion::Clear(window);
-    this->Occlusion.Mark(window, this->Texture, SliceOcclusion::TRANSMITTANCE);
+    this->Mark(window, slices, slab);
   }
   return passes;
 }
@@ -332,14 +337,25 @@ int SliceLightBuffer::Draw(
   return passes;
 }
 
-void SliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window)
+int SliceLightBuffer::MarkOccluded(vtkOpenGLRenderWindow* window, const AllSlices& slices, int slab)
 {
-  if (this->Samples || this->Convolution)
+  return this->Samples || this->Convolution ? 0 : this->Mark(window, slices, slab);
+}
+
+int SliceLightBuffer::Mark(vtkOpenGLRenderWindow* window, const AllSlices& slices, int slab)
+{
+  int passes = 0;
+  for (std::size_t i = 0; i < slices.size(); ++i)
   {
-    return;
+    const SlabTriangles& drawn = this->GetDrawn(*this->Volumes[i], slices[i]->GetPolygons());
+    if (!slices[i]->IsEmpty() && !drawn.IsEmpty(slab))
+    {
+      this->Occlusion.Mark(window, this->Texture, SliceShader::GetBufferMatrix(*this->Planned),
+        this->Volumes[i]->Marks, drawn.GetStarts(), slab);
+      ++passes;
+    }
   }
-  this->Occlusion.Mark(
-    window, this->Texture, this->IsWide ? SliceOcclusion::DEPTH : SliceOcclusion::TRANSMITTANCE);
+  return passes;
 }
 
 std::vector<float> SliceLightBuffer::Read(vtkOpenGLRenderWindow* window, int& size, int& channels)
@@ -370,6 +386,7 @@ void SliceLightBuffer::Release(Volume& volume, vtkWindow* window)
     }
   }
   volume.Slices.ReleaseGraphicsResources();
+  volume.Marks.ReleaseGraphicsResources();
   volume.TileVertices->ReleaseGraphicsResources();
 }
 

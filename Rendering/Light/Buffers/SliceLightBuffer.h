@@ -43,6 +43,8 @@ struct ImageState;
 class SliceLightBuffer
 {
 public:
+  using AllSlices = std::vector<std::unique_ptr<VolumeSlices>>;
+
   /// \a light is the index of the light in the image's list of lights.
   explicit SliceLightBuffer(int light);
   ~SliceLightBuffer();
@@ -85,9 +87,9 @@ public:
   /// is drawn, or skipped because the volume is empty there. Returns true if the layer has changed.
   bool UpdateLayer(int slab, bool isEmpty, std::size_t volume);
 
-  /// Prepares an area light's buffer for a nonempty slab, before the slab is drawn. Returns the
-  /// number of passes.
-  int Begin(vtkOpenGLRenderWindow* window, int slab);
+  /// Prepares an area light's buffer for a nonempty slab of \a slices, before the slab is drawn.
+  /// Returns the number of passes.
+  int Begin(vtkOpenGLRenderWindow* window, const AllSlices& slices, int slab);
 
   /// Returns the layers of an area light's samples, or null if it has none.
   EmitterSampleLayers* GetSampleLayers() const { return this->Samples.get(); }
@@ -98,10 +100,11 @@ public:
   int Draw(
     vtkOpenGLRenderWindow* window, const SlicePolygons& polygons, int slab, std::size_t volume);
 
-  /// Marks opaque pixels of the buffer, so that fragments behind them are culled in the following
-  /// slabs. Does nothing for area lights with soft shadows: for these, Begin marks the pixels
-  /// whenever it updates the buffer.
-  void MarkOccluded(vtkOpenGLRenderWindow* window);
+  /// Marks opaque pixels of the buffer in a slab of the volumes \a slices. Fragments behind them
+  /// are culled in this slab and the following ones. Does nothing for area lights with soft
+  /// shadows: for these, Begin marks the pixels whenever it updates the buffer. Returns the number
+  /// of passes.
+  int MarkOccluded(vtkOpenGLRenderWindow* window, const AllSlices& slices, int slab);
 
   /// Returns the texels of the buffer. Sets \a size, the number of columns and rows, and \a
   /// channels. Returns an empty vector for a wide light or an unused buffer.
@@ -114,6 +117,7 @@ private:
   struct Volume
   {
     SlicePass Slices;
+    SlicePass Marks;
     /// Tiles that replace the triangles of the slices: WideTiles for a wide light, otherwise Tiles.
     LightTiles WideTiles;
     PlaneTiles Tiles;
@@ -129,6 +133,8 @@ private:
   Error PrepareSoftShadows(vtkOpenGLRenderWindow* window, const ImageState& image,
     const std::vector<const SlicePolygons*>& polygons);
   void CopyTo(vtkTextureObject* layer);
+  /// Marks opaque pixels of the buffer in a slab. Returns the number of passes.
+  int Mark(vtkOpenGLRenderWindow* window, const AllSlices& slices, int slab);
   /// Returns the triangles to draw for a volume with the slices \a polygons.
   const SlabTriangles& GetDrawn(const Volume& volume, const SlicePolygons& polygons) const;
   static void Release(Volume& volume, vtkWindow* window);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/SliceOcclusion.h"
 
+#include "Buffers/SlicePass.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/ShaderFeatures.h"
+#include "Space/ShaderUniforms.h"
 
 #include "InterlumeSliceOcclusionFS.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 namespace interlume
@@ -48,23 +48,18 @@ void SliceOcclusion::Clear(vtkOpenGLRenderWindow* window)
   state->vtkglDepthMask(GL_FALSE);
 }
 
-void SliceOcclusion::Mark(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, Contents contents)
+std::string SliceOcclusion::GetShaderSource(Contents contents, int channels)
 {
-  std::string features = contents == OPACITY ? "OPACITY"
-    : contents == TRANSMITTANCE              ? "TRANSMITTANCE"
-                                             : "DEPTH";
-  features += buffer->GetComponents() == 1 ? " CHANNELS=rrr" : " CHANNELS=rgb";
-  if (!this->Quad || features != this->QuadFeatures)
-  {
-    this->QuadFeatures = features;
-    const std::string source = ShaderFeatures::Insert(InterlumeSliceOcclusionFS, features);
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
-  }
-  else
-  {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-  }
+  const std::string features = contents == OPACITY ? "OPACITY"
+    : contents == TRANSMITTANCE                    ? "TRANSMITTANCE"
+                                                   : "DEPTH";
+  return ShaderFeatures::Insert(
+    InterlumeSliceOcclusionFS, features + (channels == 1 ? " CHANNELS=rrr" : " CHANNELS=rgb"));
+}
+
+void SliceOcclusion::Mark(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer,
+  const glm::dmat4& clipFromUnit, SlicePass& pass, const std::vector<std::size_t>& starts, int slab)
+{
   vtkOpenGLState* state = window->GetState();
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   state->vtkglViewport(
@@ -72,10 +67,19 @@ void SliceOcclusion::Mark(
   // Do not deactivate an active light buffer: it keeps its texture unit for the whole sweep.
   const bool wasActive = buffer->GetTextureUnit() >= 0;
   buffer->Activate();
-  this->Quad->Program->SetUniformi("slices", buffer->GetTextureUnit());
+  window->GetShaderCache()->ReadyShaderProgram(pass.GetProgram());
+  const ShaderUniforms uniforms(pass.GetProgram());
+  uniforms.Set("slices", buffer->GetTextureUnit());
+  uniforms.Set("clipFromUnit", clipFromUnit);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
-  this->Quad->Render();
+  // The nearest depth for all fragments, without a depth in the shader: the depth test then skips
+  // pixels that have been marked before.
+  glEnable(GL_DEPTH_CLAMP);
+  glDepthRange(0.0, 0.0);
+  pass.Draw(window, starts, slab, 0.0);
+  glDepthRange(0.0, 1.0);
+  glDisable(GL_DEPTH_CLAMP);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDisable(GL_DEPTH_TEST);
   if (!wasActive)
@@ -88,11 +92,6 @@ void SliceOcclusion::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Depth->ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
-  if (this->Quad)
-  {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
-  }
 }
 
 }

@@ -5,17 +5,21 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
-#include <memory>
+#include <cstddef>
 #include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
 
 class vtkOpenGLFramebufferObject;
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
 
 namespace interlume
 {
+
+class SlicePass;
 
 /**
  * @class   SliceOcclusion
@@ -56,16 +60,21 @@ public:
   /// Clears the depth of the bound framebuffer, so that no pixel counts as opaque.
   static void Clear(vtkOpenGLRenderWindow* window);
 
-  /// Marks the opaque pixels of \a buffer.
-  void Mark(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, Contents contents);
+  /// Returns the fragment shader of a pass that marks the opaque pixels of a buffer. \a channels is
+  /// the number of color channels of light.
+  static std::string GetShaderSource(Contents contents, int channels);
+
+  /// Marks the pixels of \a buffer that are opaque and inside the triangles of a slab. \a pass and
+  /// \a starts are as in SlicePass. \a clipFromUnit is the matrix of the slices drawn into \a
+  /// buffer.
+  void Mark(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, const glm::dmat4& clipFromUnit,
+    SlicePass& pass, const std::vector<std::size_t>& starts, int slab);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
-  std::string QuadFeatures;
 };
 
 }

@@ -86,12 +86,12 @@ Error VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bo
   this->IsThin = !isProbed && SliceShader::HasThinPart(*this->Frame, sweep);
   this->IsMarked = isMarked;
   const bool hasTileVertices = this->HasTiles && !this->Tiles.GetVertices().empty();
+  vtkOpenGLBufferObject* vertices = hasTileVertices ? this->TileVertices : this->Vertices;
   const auto prepare = [&](SlicePass& pass, SliceShader::Parts part)
   {
     const std::string source =
       SliceShader::GetImageShaderSource(*this->Frame, sweep, isOccluded, part);
-    Error error =
-      pass.Prepare(window, source, hasTileVertices ? this->TileVertices : this->Vertices, isMarked);
+    Error error = pass.Prepare(window, source, vertices, isMarked);
     if (!error)
     {
       activate(pass.GetProgram());
@@ -104,9 +104,16 @@ Error VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bo
     !this->IsSplit   ? SliceShader::ALL
       : this->IsThin ? SliceShader::THIN
                      : SliceShader::EMPTY);
-  return error || !this->IsSplit
-    ? error
-    : prepare(this->SecondPass, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
+  if (!error && this->IsSplit)
+  {
+    error = prepare(this->SecondPass, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
+  }
+  return error.Then(
+    [&]
+    {
+      return this->MarkPass.Prepare(
+        window, SliceOcclusion::GetShaderSource(SliceOcclusion::OPACITY, 1), vertices);
+    });
 }
 
 void VolumeSlices::Add(vtkShaderProgram* program)
@@ -155,6 +162,13 @@ void VolumeSlices::Draw(
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 
+void VolumeSlices::MarkOpaquePixels(
+  vtkOpenGLRenderWindow* window, SliceOcclusion& occlusion, vtkTextureObject* image, int slab)
+{
+  occlusion.Mark(window, image, this->Frame->Image->Camera.ClipFromUnit, this->MarkPass,
+    this->GetSeen().GetStarts(), slab);
+}
+
 void VolumeSlices::Resume(vtkOpenGLRenderWindow* window)
 {
   if (this->Textures->Resume())
@@ -183,6 +197,7 @@ void VolumeSlices::ReleaseGraphicsResources()
 {
   this->FirstPass.ReleaseGraphicsResources();
   this->SecondPass.ReleaseGraphicsResources();
+  this->MarkPass.ReleaseGraphicsResources();
   this->Vertices->ReleaseGraphicsResources();
   this->TileVertices->ReleaseGraphicsResources();
 }

@@ -2,6 +2,7 @@
 #ifndef interlume_VolumeSlices_h
 #define interlume_VolumeSlices_h
 
+#include "Buffers/SliceOcclusion.h"
 #include "Buffers/SlicePass.h"
 #include "Common/Error.h"
 #include "Plan/PlaneTiles.h"
@@ -76,6 +77,10 @@ public:
   void Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab, int number,
     int volumes);
 
+  /// Marks the opaque pixels of \a image in a slab.
+  void MarkOpaquePixels(
+    vtkOpenGLRenderWindow* window, SliceOcclusion& occlusion, vtkTextureObject* image, int slab);
+
   ///@{
   /// Bind the volume's textures, and unbind them temporarily.
   void Resume(vtkOpenGLRenderWindow* window);
@@ -103,6 +108,7 @@ private:
   /// medium.
   SlicePass FirstPass;
   SlicePass SecondPass;
+  SlicePass MarkPass;
   bool IsThick = false;
   bool IsSplit = false;
   bool IsThin = true;

@@ -554,16 +554,19 @@ void SliceShader::SetImageUniforms(
   uniforms.Set("ambient", image.Plan.IsInFirstImage(sweep) ? image.Ambient : glm::dvec3(0.0));
 }
 
+glm::dmat4 SliceShader::GetBufferMatrix(const SlicePlan::ShadowedLight& light)
+{
+  const double rows[16] = { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 1.0 };
+  return light.IsWide ? UnitVector::FromRows(rows) : light.BufferFromUnit;
+}
+
 void SliceShader::SetLightUniforms(vtkShaderProgram* program, const VolumeRenderState& frame,
   const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
 {
   SetMediumUniforms(program, frame, sweep);
   const ShaderUniforms uniforms(program);
-  // Transformation from buffer coordinates to clip coordinates, for a light inside or near the
-  // volume.
-  const double rows[16] = { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 1.0 };
-  uniforms.Set("clipFromUnit", light.IsWide ? UnitVector::FromRows(rows) : light.BufferFromUnit);
+  uniforms.Set("clipFromUnit", GetBufferMatrix(light));
   uniforms.Set("frame", light.Frame);
   const LightSource& source = frame.Image->Lights[light.Light];
   uniforms.Set("position", source.Position);

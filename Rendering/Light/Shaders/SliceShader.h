@@ -61,6 +61,10 @@ public:
   /// Returns the names of the features in use, for the report.
   static std::string GetNames(const VolumeRenderState& frame, bool isOccluded);
 
+  /// Returns the matrix of the slices drawn into a light buffer. For a wide light, it transforms
+  /// buffer coordinates, otherwise unit space.
+  static glm::dmat4 GetBufferMatrix(const SlicePlan::ShadowedLight& light);
+
   ///@{
   /// Set the uniforms that are constant over all slabs of a sweep.
   static void SetImageUniforms(

@@ -311,13 +311,11 @@ void SliceRasterizer::BeginSweep(std::size_t sweepIndex)
   const SlicePlan& plan = this->State->Plan;
   this->BindImage(plan.IsInFirstImage(sweepIndex) ? this->Image : this->SweepImage);
   SliceOcclusion::Clear(this->Window);
-  if (plan.Sweeps[sweepIndex].IsBehind)
+  if (!plan.Sweeps[sweepIndex].IsBehind)
   {
-    this->MarkOpaquePixels();
-    return;
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
   }
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
 }
 
 void SliceRasterizer::BindImage(vtkTextureObject* image)
@@ -328,11 +326,17 @@ void SliceRasterizer::BindImage(vtkTextureObject* image)
   this->Window->GetState()->vtkglViewport(0, 0, this->State->Size[0], this->State->Size[1]);
 }
 
-void SliceRasterizer::MarkOpaquePixels()
+void SliceRasterizer::MarkOpaquePixels(int slab)
 {
-  this->Occlusion.Mark(this->Window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0),
-    SliceOcclusion::OPACITY);
-  ++this->Report->OcclusionPasses;
+  for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
+  {
+    if (!slices->IsEmpty(slab) && !slices->IsOutOfView(slab))
+    {
+      slices->MarkOpaquePixels(this->Window, this->Occlusion,
+        this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0), slab);
+      ++this->Report->OcclusionPasses;
+    }
+  }
 }
 
 Error SliceRasterizer::PrepareVolume(std::size_t sweepIndex, std::size_t number)
@@ -445,7 +449,8 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
     for (std::size_t i = 0; i < sweep.Lights.size() && !isEmpty; ++i)
     {
       const SlicePlan::ShadowedLight& light = sweep.Lights[i];
-      report.SoftShadowPasses += this->GetLightBuffer(light.Light).Begin(this->Window, slab);
+      report.SoftShadowPasses +=
+        this->GetLightBuffer(light.Light).Begin(this->Window, this->Slices, slab);
     }
     if (this->HasThickPart)
     {
@@ -455,17 +460,18 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
     {
       continue;
     }
+    const bool hasImage = drawn > 0 || sweep.IsBehind;
+    if (sweep.IsFrontToBack && hasImage && drawn % imageInterval == 0)
+    {
+      this->MarkOpaquePixels(slab);
+    }
+    for (std::size_t i = 0; i < sweep.Lights.size() && drawn > 0 && drawn % interval == 0; ++i)
+    {
+      report.OcclusionPasses +=
+        this->GetLightBuffer(sweep.Lights[i].Light).MarkOccluded(this->Window, this->Slices, slab);
+    }
     this->DrawSlab(sweep, slab);
     ++drawn;
-    if (sweep.IsFrontToBack && drawn % imageInterval == 0)
-    {
-      this->MarkOpaquePixels();
-    }
-    for (std::size_t i = 0; i < sweep.Lights.size() && drawn % interval == 0; ++i)
-    {
-      this->GetLightBuffer(sweep.Lights[i].Light).MarkOccluded(this->Window);
-      ++report.OcclusionPasses;
-    }
   }
   this->DrawReceivers(sweep.Slabs);
   this->DeactivateTextures();

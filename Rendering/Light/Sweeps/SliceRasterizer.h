@@ -105,8 +105,9 @@ private:
   void BindImage(vtkTextureObject* image);
   /// Attaches the sweep's image buffer. Clears it unless it contains a sweep in front of this one.
   void BeginSweep(std::size_t sweepIndex);
-  /// Marks the opaque pixels of the image, so that the following slabs are not drawn there.
-  void MarkOpaquePixels();
+  /// Marks the opaque pixels of the image in a slab, so that this slab and the following ones are
+  /// not drawn there.
+  void MarkOpaquePixels(int slab);
   /// Returns true if all volumes are empty in a slab.
   bool IsEmpty(int slab) const;
   /// Updates the layers of the light buffers. Call this before each slab, even if the slab is empty
