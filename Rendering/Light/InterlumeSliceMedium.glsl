@@ -33,6 +33,10 @@ uniform vec4 colorColumnOrigin;
 #endif
 #if (defined(GRADIENT_OPACITY) || defined(SHADE)) && !defined(CUSTOM_MEDIUM)
 uniform vec3 voxel;
+#ifdef DIFFERENCES
+// For each voxel, the result of differencesAt.
+uniform sampler3D neighborDifferences;
+#endif
 #endif
 #ifdef GRADIENT_OPACITY
 uniform sampler2D gradientOpacities;
@@ -206,6 +210,14 @@ vec4 texelAt(vec3 p, out float share)
 // axis. here is the value at p.
 void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
 {
+#ifdef DIFFERENCES
+  // The interpolation of the voxels' differences is the difference of the interpolated values.
+  vec3 found = texture(neighborDifferences, p).rgb;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    differences[axis] = vec4(found[axis]);
+  }
+#else
   for (int axis = 0; axis < 3; ++axis)
   {
     vec3 offset = vec3(0.0);
@@ -217,6 +229,7 @@ void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
     after = share > 0.0 ? after : here;
     differences[axis] = after - before;
   }
+#endif
 }
 
 // Returns the length of v without underflow of squared components.

@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 #include "Volume/VolumeSamples.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -286,6 +287,38 @@ void CheckErrors(Check& check)
   fails(wide, { { 2, 2, 2 } }, "stress' has 5");
 }
 
+/// Compares the differences between neighbors with the values of an irregular function.
+void CheckDifferences(Check& check)
+{
+  const Size size{ { 5, 1, 4 } };
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_FLOAT })
+  {
+    const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    array->SetNumberOfTuples(20);
+    for (int i = 0; i < 20; ++i)
+    {
+      array->SetComponent(i, 0, (i * i * 7) % 251);
+    }
+    interlume::VolumeSamples samples;
+    check.That(!samples.Build(array, size, true), "no error");
+    const std::vector<float> differences = samples.FindDifferences();
+    check.Equal(static_cast<long long>(differences.size()), 60, "three differences for each voxel");
+    for (int i = 0; i < 20; ++i)
+    {
+      const int x = i % 5;
+      const int z = i / 5;
+      const auto at = [&](int column, int layer)
+      { return array->GetComponent(std::clamp(column, 0, 4) + 5 * std::clamp(layer, 0, 3), 0); };
+      const double expected[3] = { at(x + 1, z) - at(x - 1, z), 0.0, at(x, z + 1) - at(x, z - 1) };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        check.Near(samples.Scale[0] * differences[static_cast<std::size_t>(3 * i + axis)],
+          expected[axis], 1e-4, "difference", 1.0);
+      }
+    }
+  }
+}
+
 void CheckThreads(Check& check)
 {
   // Zeros of both signs and masked voxels, in a volume large enough for several threads.
@@ -328,6 +361,7 @@ int TestVolumeSamples(int, char*[])
   CheckNonFinite(check);
   CheckExtremes(check);
   CheckErrors(check);
+  CheckDifferences(check);
   CheckThreads(check);
   return check.Result();
 }

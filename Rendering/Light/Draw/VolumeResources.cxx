@@ -29,12 +29,17 @@ struct VolumeResources::WindowResources
 {
   SliceTextures Textures;
   int SamplesVersion = 0;
+  /// Version of the samples whose differences are in the texture, or 0.
+  int DifferencesVersion = 0;
   int MaterialVersion = 0;
   int ScatteringVersion = 0;
 };
 
 namespace
 {
+// Largest texture of differences. Larger volumes are drawn more slowly.
+constexpr vtkIdType MaximumDifferenceBytes = 1 << 28;
+
 double GetTime(vtkObject* function)
 {
   return function ? static_cast<double>(function->GetMTime()) : 0.0;
@@ -169,6 +174,7 @@ vtkIdType VolumeResources::GetTextureBytes() const
     return SliceTextures::GetBytes(this->State.Scattering);
   }
   return SliceTextures::GetBytes(this->State.Samples) +
+    (this->State.HasDifferences ? SliceTextures::GetDifferenceBytes(this->State.Samples) : 0) +
     SliceTextures::GetBytes(this->State.Material) + SliceTextures::GetBytes(this->State.Scattering);
 }
 
@@ -192,6 +198,13 @@ Error VolumeResources::Upload(vtkOpenGLRenderWindow* window)
   {
     upload(frame.Samples, this->SamplesVersion, resources.SamplesVersion);
     upload(frame.Material, this->MaterialVersion, resources.MaterialVersion);
+  }
+  const int differences = frame.HasDifferences ? this->SamplesVersion : 0;
+  if (!error && resources.DifferencesVersion != differences)
+  {
+    error = textures.UploadDifferences(window, differences > 0 ? &frame.Samples : nullptr);
+    resources.DifferencesVersion = error ? 0 : differences;
+    this->UploadedBytes += differences > 0 ? SliceTextures::GetDifferenceBytes(frame.Samples) : 0;
   }
   upload(frame.Scattering, this->Scatterer.GetVersion(), resources.ScatteringVersion);
   std::vector<vtkProjectiveLight*> screens;
@@ -269,6 +282,11 @@ void VolumeResources::SetImage(const ImageState& image, int number)
   vtkVolumeProperty* property = this->CurrentRequest.Volume->GetProperty();
   state.IsShaded = property->GetShade() != 0 && !state.Scattering.IsOn() &&
     (!state.Medium || state.Medium->HasReflection());
+  // In software, one lookup of three differences is faster than six lookups of values.
+  state.HasDifferences = state.IsSoftware && !state.Medium && state.Samples.Components == 1 &&
+    state.Samples.Mask.empty() && (state.IsShaded || !state.Material.GradientOpacity.empty()) &&
+    this->CurrentRequest.Settings.MaximumTextureMemory == 0 &&
+    SliceTextures::GetDifferenceBytes(state.Samples) <= MaximumDifferenceBytes;
   for (int row = 0; row < state.Material.Rows; ++row)
   {
     state.Materials[row] = { { static_cast<float>(property->GetAmbient(row)),

@@ -68,6 +68,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     // The medium.
     { "medium", "CUSTOM_MEDIUM", EVERY },
     { "mask", "MASK", EVERY, "", "CUSTOM_MEDIUM" },
+    { "differences", "DIFFERENCES", EVERY, "", "CUSTOM_MEDIUM MASK ROWS=2 ROWS=3 ROWS=4" },
     { "cropping", "CROPPING", EVERY },
     { "clipping", "CLIPPING_PLANES=2", EVERY },
     // The numbers give each volume and light its own program. With equal shader sources, VTK would

@@ -45,6 +45,7 @@ void AddMedium(const VolumeRenderState& frame, SliceFeatures& features)
   }
   features.Add("CUSTOM_MEDIUM", frame.Medium != nullptr);
   features.Add("MASK", !frame.Samples.Mask.empty());
+  features.Add("DIFFERENCES", frame.HasDifferences);
   features.Add("GRADIENT_OPACITY", !material.GradientOpacity.empty());
   features.Add("BENDS", !material.Bends.empty());
   if (material.HasEdges())

@@ -50,6 +50,25 @@ int GetType(VolumeSamples::Formats format)
   }
 }
 
+// Creates a texture with the size of \a samples. \a format is the internal format, or 0 for the
+// default. Returns false on failure.
+bool CreateVolume(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  const VolumeSamples& samples, int components, int type, const void* values,
+  unsigned int format = 0)
+{
+  texture->SetContext(window);
+  SetSampling(texture, true);
+  // Without this call, the texture would keep its previous format.
+  texture->ResetFormatAndType();
+  if (format != 0)
+  {
+    texture->SetInternalFormat(format);
+  }
+  return texture->Create3DFromRaw(static_cast<unsigned int>(samples.Size[0]),
+    static_cast<unsigned int>(samples.Size[1]), static_cast<unsigned int>(samples.Size[2]),
+    components, type, const_cast<void*>(values));
+}
+
 // Uploads a texture with the given number of columns. Releases the texture if \a texels is empty.
 void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int columns,
   const std::vector<float>& texels, int components)
@@ -172,6 +191,13 @@ vtkIdType SliceTextures::GetBytes(const VolumeSamples& samples)
   return static_cast<vtkIdType>(bytes);
 }
 
+vtkIdType SliceTextures::GetDifferenceBytes(const VolumeSamples& samples)
+{
+  // Four components, in half precision if texels are integers.
+  const vtkIdType bytes = samples.Format == VolumeSamples::FLOAT32 ? 16 : 8;
+  return bytes * samples.Size[0] * samples.Size[1] * samples.Size[2];
+}
+
 vtkIdType SliceTextures::GetBytes(const MaterialTable& material)
 {
   // Count the values of colors, extinctions, gradient opacities, transmission colors and
@@ -201,26 +227,17 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& 
         ". Resample the volume.",
       ErrorCode::OpenGL);
   }
-  const auto create = [&](vtkTextureObject* texture, int components, int type, const void* values)
-  {
-    texture->SetContext(window);
-    SetSampling(texture, true);
-    // Without this call, the texture would keep its previous format.
-    texture->ResetFormatAndType();
-    return texture->Create3DFromRaw(static_cast<unsigned int>(samples.Size[0]),
-      static_cast<unsigned int>(samples.Size[1]), static_cast<unsigned int>(samples.Size[2]),
-      components, type, const_cast<void*>(values));
-  };
   ClearErrors();
-  bool isCreated =
-    create(this->Volume, samples.Components, GetType(samples.Format), samples.Texels.data());
+  bool isCreated = CreateVolume(window, this->Volume, samples, samples.Components,
+    GetType(samples.Format), samples.Texels.data());
   if (samples.Mask.empty())
   {
     this->Mask->ReleaseGraphicsResources(window);
   }
   else
   {
-    isCreated = isCreated && create(this->Mask, 1, VTK_UNSIGNED_SHORT, samples.Mask.data());
+    isCreated = isCreated &&
+      CreateVolume(window, this->Mask, samples, 1, VTK_UNSIGNED_SHORT, samples.Mask.data());
   }
   if (!isCreated || glGetError() != GL_NO_ERROR)
   {
@@ -231,6 +248,25 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& 
       ErrorCode::OutOfMemory);
   }
   return {};
+}
+
+Error SliceTextures::UploadDifferences(vtkOpenGLRenderWindow* window, const VolumeSamples* samples)
+{
+  this->Differences->ReleaseGraphicsResources(window);
+  if (!samples)
+  {
+    return {};
+  }
+  ClearErrors();
+  const std::vector<float> differences = samples->FindDifferences();
+  const bool isFloat = samples->Format == VolumeSamples::FLOAT32;
+  return CreateVolume(window, this->Differences, *samples, 3, VTK_FLOAT, differences.data(),
+           isFloat ? GL_RGBA32F : GL_RGBA16F) &&
+      glGetError() == GL_NO_ERROR
+    ? Error()
+    : Error("There is not enough memory for the gradients of the volume (" +
+          std::to_string(GetDifferenceBytes(*samples)) + " bytes). Use a smaller volume.",
+        ErrorCode::OutOfMemory);
 }
 
 Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material)
@@ -328,6 +364,7 @@ void SliceTextures::Activate(vtkShaderProgram* program)
   };
   activate(this->Volume, "volume");
   activate(this->Mask, "mask");
+  activate(this->Differences, "neighborDifferences");
   activate(this->Extinctions, "extinctions");
   activate(this->ExtinctionSums, "extinctionSums");
   activate(this->Colors, "colors");
@@ -374,9 +411,10 @@ bool SliceTextures::Resume()
 
 void SliceTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkTextureObject* texture : { this->Volume.Get(), this->Mask.Get(), this->Colors.Get(),
-         this->Extinctions.Get(), this->ExtinctionSums.Get(), this->GradientOpacities.Get(),
-         this->Transmissions.Get(), this->Bends.Get(), this->Phases.Get(), this->Scattered.Get() })
+  for (vtkTextureObject* texture :
+    { this->Volume.Get(), this->Mask.Get(), this->Differences.Get(), this->Colors.Get(),
+      this->Extinctions.Get(), this->ExtinctionSums.Get(), this->GradientOpacities.Get(),
+      this->Transmissions.Get(), this->Bends.Get(), this->Phases.Get(), this->Scattered.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -39,6 +39,7 @@ public:
   static vtkIdType GetBytes(const VolumeSamples& samples);
   static vtkIdType GetBytes(const MaterialTable& material);
   static vtkIdType GetBytes(const SliceScattering& scattering);
+  static vtkIdType GetDifferenceBytes(const VolumeSamples& samples);
   ///@}
 
   ///@{
@@ -48,6 +49,9 @@ public:
   Error Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material);
   Error Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
   ///@}
+
+  /// Uploads the result of FindDifferences, or releases it if \a samples is null.
+  Error UploadDifferences(vtkOpenGLRenderWindow* window, const VolumeSamples* samples);
 
   /// Sets a custom medium, or null. Its textures are bound together with those of this object.
   void SetMedium(vtkSliceMedium* medium) { this->Medium = medium; }
@@ -73,6 +77,7 @@ public:
 private:
   vtkNew<vtkTextureObject> Volume;
   vtkNew<vtkTextureObject> Mask;
+  vtkNew<vtkTextureObject> Differences;
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Extinctions;
   vtkNew<vtkTextureObject> ExtinctionSums;

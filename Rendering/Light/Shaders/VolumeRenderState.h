@@ -37,6 +37,8 @@ struct VolumeRenderState
   vtkSliceMedium* Medium = nullptr;
 
   bool IsSoftware = false;
+  /// If true, a texture contains the differences between the neighbors of each voxel.
+  bool HasDifferences = false;
   /// See OccupancyEstimate.
   double OccupiedFraction = 1.0;
 

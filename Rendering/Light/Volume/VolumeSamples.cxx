@@ -241,4 +241,45 @@ Error VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, 
   return {};
 }
 
+std::vector<float> VolumeSamples::FindDifferences() const
+{
+  const auto rows = static_cast<vtkIdType>(this->Size[1]) * this->Size[2];
+  const std::array<vtkIdType, 3> steps{ { 1, this->Size[0],
+    static_cast<vtkIdType>(this->Size[0]) * this->Size[1] } };
+  std::vector<float> differences(static_cast<std::size_t>(3 * rows * this->Size[0]));
+  const auto find = [&](const auto* texels, float scale)
+  {
+    vtkSMPTools::For(0, rows,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          std::array<int, 3> position{ { 0, static_cast<int>(row % this->Size[1]),
+            static_cast<int>(row / this->Size[1]) } };
+          for (vtkIdType voxel = row * this->Size[0]; position[0] < this->Size[0]; ++voxel)
+          {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+              const bool isFirst = position[axis] == 0;
+              const bool isLast = position[axis] + 1 == this->Size[axis];
+              differences[static_cast<std::size_t>(3 * voxel) + axis] = scale *
+                (static_cast<float>(texels[voxel + (isLast ? 0 : steps[axis])]) -
+                  static_cast<float>(texels[voxel - (isFirst ? 0 : steps[axis])]));
+            }
+            ++position[0];
+          }
+        }
+      });
+  };
+  if (this->Format == FLOAT32)
+  {
+    find(reinterpret_cast<const float*>(this->Texels.data()), 1.0F);
+  }
+  else
+  {
+    find(reinterpret_cast<const std::uint16_t*>(this->Texels.data()), 1.0F / 65535.0F);
+  }
+  return differences;
+}
+
 }

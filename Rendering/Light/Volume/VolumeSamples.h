@@ -45,6 +45,11 @@ public:
    */
   Error Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens);
 
+  /// Computes, for each voxel and axis, the difference of the texels after and before the voxel, in
+  /// parallel. At the first and last voxel of an axis, the voxel itself replaces the missing one.
+  /// The samples must have one component and no mask, and a format other than UNORM8.
+  std::vector<float> FindDifferences() const;
+
   std::array<int, 3> Size{ { 0, 0, 0 } };
   int Components = 0;
   Formats Format = FLOAT32;
