@@ -440,8 +440,7 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
   }
   this->BeginSweep(sweepIndex);
   const int interval =
-    this->HasThickPart ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
-  const int imageInterval = this->IsDense ? SliceOcclusion::ThickInterval : interval;
+    this->HasThickPart || this->IsDense ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
   int drawn = 0;
   for (int slab = 0; slab < sweep.Slabs && this->Window->CheckAbortStatus() == 0; ++slab)
   {
@@ -461,7 +460,7 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
       continue;
     }
     const bool hasImage = drawn > 0 || sweep.IsBehind;
-    if (sweep.IsFrontToBack && hasImage && drawn % imageInterval == 0)
+    if (sweep.IsFrontToBack && hasImage && drawn % interval == 0)
     {
       this->MarkOpaquePixels(slab);
     }
