@@ -374,7 +374,8 @@ public:
   ///@{
   /**
    * Set the maximum size of all textures and buffers of a frame, in bytes. Exceeding it is an
-   * error. Default 0: only the graphics card limits the size. Valid: 0 and above.
+   * error. Default 0: only the graphics card limits the size. With a limit, software OpenGL uses
+   * no texture of gradients, which makes shading slower. Valid: 0 and above.
    */
   vtkSetClampMacro(MaximumTextureMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumTextureMemory, vtkIdType);
