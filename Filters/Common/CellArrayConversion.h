@@ -13,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
@@ -252,18 +253,9 @@ private:
   {
     this->Owner->SetProgressText(
       ("Averaging cell " + ArrayCheck::Describe(source) + " at the points").c_str());
-    // A grid with a single cell array, which has a name in any case. Its ghost arrays mark hidden
-    // cells.
+    // A grid with the same blanking and a single cell array, which has a name in any case.
     const auto grid = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
     grid->CopyStructure(input);
-    for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
-    {
-      if (vtkAbstractArray* ghosts = input->GetAttributes(association)
-                                       ->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()))
-      {
-        grid->GetAttributes(association)->AddArray(ghosts);
-      }
-    }
     const char* const name = "values";
     const auto values = vtkSmartPointer<vtkDataArray>::Take(source->NewInstance());
     values->ShallowCopy(source);
@@ -277,7 +269,17 @@ private:
     progress->SetClientData(this->Owner);
     progress->SetCallback(ForwardProgress);
     filter->AddObserver(vtkCommand::ProgressEvent, progress);
-    filter->Update();
+    if (vtkUnstructuredGrid::SafeDownCast(grid))
+    {
+      // With several threads, the order of the cells at a point varies, and so does the rounding of
+      // the averages.
+      vtkSMPTools::LocalScope(
+        vtkSMPTools::Config(std::string("Sequential")), [&filter] { filter->Update(); });
+    }
+    else
+    {
+      filter->Update();
+    }
     vtkSmartPointer<vtkDataArray> averages = filter->GetOutput()->GetPointData()->GetArray(name);
     if (averages)
     {

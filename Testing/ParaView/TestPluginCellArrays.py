@@ -59,17 +59,18 @@ def check_equal(checks, proxy, reference, ports, what):
     checks.that(fetch(proxy).GetNumberOfPoints() > 0, f"{what} has an output")
 
 
-def selection_name(proxy):
-    return "SelectInputVectors" if proxy.SMProxy.GetXMLName() in VECTOR_FILTERS else "SelectInputScalars"
+def selection_of(proxy):
+    """Returns the name of the property that selects the array."""
+    return next(name for name in ("Scalars", "ContourBy", "Vectors") if name in proxy.ListProperties())
 
 
 def check_filter(checks, name, properties, cells, points, array):
     """Tests the default selection, and that the output equals the output for the point array."""
     proxy = getattr(simple, name)(Input=cells)
     reference = getattr(simple, name)(Input=points)
-    checks.equal(list(proxy.GetPropertyValue(selection_name(proxy))), ["CELLS", array], f"{name}, default array")
-    checks.equal(
-        list(reference.GetPropertyValue(selection_name(proxy))), ["POINTS", array], f"{name}, point arrays first")
+    selection = selection_of(proxy)
+    checks.equal(list(proxy.GetPropertyValue(selection)), ["CELLS", array], f"{name}, default array")
+    checks.equal(list(reference.GetPropertyValue(selection)), ["POINTS", array], f"{name}, point arrays first")
     for one in (proxy, reference):
         set_properties(one, properties)
     for value in ("Intervals", "Isosurfaces"):
@@ -86,7 +87,7 @@ def check_filter(checks, name, properties, cells, points, array):
     checks.equal(messages, [], f"{name}, errors")
     check_equal(checks, proxy, reference, proxy.SMProxy.GetNumberOfOutputPorts(), name)
     # The same name as a point array in a script, as for Contour.
-    proxy.SetPropertyWithName(selection_name(proxy), ["POINTS", array])
+    set_properties(proxy, {selection: ["POINTS", array]})
     with warnings_of(proxy, ("ErrorEvent",)) as messages:
         proxy.UpdatePipeline()
     checks.equal(messages, [], f"{name}, errors of a cell array selected as a point array")
@@ -112,7 +113,7 @@ def main(checks):
     for name, properties in VECTOR_FILTERS.items():
         check_filter(checks, name, properties, vectors, to_points(vectors), "Velocity")
     lic = simple.FlowLIC(Input=flow, Field=vectors)
-    checks.equal(list(lic.GetPropertyValue("SelectInputVectors")), ["CELLS", "Velocity"], "FlowLIC, default array")
+    checks.equal(list(lic.Vectors), ["CELLS", "Velocity"], "FlowLIC, default array")
     reference = simple.FlowLIC(Input=flow, Field=to_points(vectors))
     check_equal(checks, lic, reference, 1, "FlowLIC")
 

@@ -16,33 +16,34 @@
 #include "vtkImplicitFlowField.h"
 #include "vtkIntervalVolume.h"
 #include "vtkIsotableContour.h"
+#include "vtkTimeSlabWriter.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkVortexAxis.h"
 
+#include "vtkAMRBox.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
-#include "vtkAMRBox.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
-#include "vtkStructuredGrid.h"
 #include "vtkTerminationPlane.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridReader.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -120,7 +121,8 @@ void AddArrays(vtkDataSet* data)
     data, Points, "other points", [](const Vector& x) { return std::vector<double>{ x[0] }; }));
 }
 
-/// Returns the output of vtkCellDataToPointData for one array, with all other data.
+/// Returns the output of vtkCellDataToPointData for one array, with all other data. With several
+/// threads, the order of the cells at a point, and so the rounding of averages, would vary.
 vtkSmartPointer<vtkDataSet> ConvertByVTK(vtkDataSet* data, const char* name)
 {
   vtkNew<vtkCellDataToPointData> filter;
@@ -128,7 +130,8 @@ vtkSmartPointer<vtkDataSet> ConvertByVTK(vtkDataSet* data, const char* name)
   filter->PassCellDataOn();
   filter->ProcessAllArraysOff();
   filter->AddCellDataArray(name);
-  filter->Update();
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config(std::string("Sequential")), [&filter] { filter->Update(); });
   return filter->GetOutput();
 }
 
@@ -342,7 +345,8 @@ void TestAllGrids(Check& check)
       const std::string found = Run(one, grid.second, Cells, one.Array, &errors);
       check.That(errors.empty(), "no error: " + errors);
       check.That(found == expected, "the output for a cell array");
-      check.That(HasResult(one, expected), "the output is not empty");
+      const bool isHidden = grid.first.find("ghost") != std::string::npos;
+      check.That(isHidden || HasResult(one, expected), "the output is not empty");
     }
   }
 }
@@ -614,6 +618,60 @@ void TestTimeSteps(Check& check)
   }
 }
 
+/// Returns the slabs of a writer and the numbers of written and resumed slabs.
+std::string WriteSlabs(const TimeSteps& steps, int association, const std::filesystem::path& folder)
+{
+  vtkNew<TimeStepSource> source;
+  source->SetSteps(steps);
+  const auto writer = MakeFilter<vtkTimeSlabWriter>();
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetInputArrayToProcess(0, 0, 0, association, "s");
+  writer->SetInterval(0, 0.2, 0.7);
+  writer->SetFileName((folder / "cells.vtm").string().c_str());
+  writer->Write();
+  std::string text = std::to_string(writer->GetNumberOfWrittenSlabs()) + " written, " +
+    std::to_string(writer->GetNumberOfResumedSlabs()) + " resumed";
+  for (int slab = 0; slab < 2; ++slab)
+  {
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName(
+      (folder / "cells" / ("cells_" + std::to_string(slab) + ".vtu")).string().c_str());
+    reader->Update();
+    AppendDataSet(text, reader->GetOutput());
+  }
+  return text;
+}
+
+/// Slabs are resumed only if the selected array and the cell values are those of the files.
+void TestSlabs(Check& check)
+{
+  check.SetContext("slabs");
+  const std::filesystem::path folder = "TestCellArraysSlabs";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  const auto image = MakeFlowImage(6, GetVelocity);
+  AddArrays(image);
+  const TimeSteps steps = MakeSteps(image, false, false);
+  const std::string cells = WriteSlabs(steps, Cells, folder);
+  check.That(cells.find("2 written, 0 resumed") == 0 && cells.size() > 2000, "new slabs");
+  check.That(WriteSlabs(steps, Cells, folder) == "0 written, 2 resumed" + cells.substr(20),
+    "unchanged slabs");
+  vtkDataSet* last = GetDataSet(steps[2]);
+  last->GetCellData()->GetArray("s")->SetComponent(30, 0, 0.5);
+  last->GetCellData()->GetArray("s")->Modified();
+  check.That(WriteSlabs(steps, Cells, folder).find("1 written, 1 resumed") == 0, "a changed value");
+  for (const TimeStep& step : steps)
+  {
+    GetDataSet(step)->GetPointData()->AddArray(MakeArray(image, Points, "s", ScalarField));
+  }
+  check.That(WriteSlabs(steps, Points, folder).find("2 written, 0 resumed") == 0, "a point array");
+  check.That(WriteSlabs(steps, Cells, folder).find("2 written, 0 resumed") == 0, "the cell array");
+  const TimeSteps converted = MakeSteps(image, true, false);
+  check.That(WriteSlabs(converted, Points, folder).substr(20) == cells.substr(20),
+    "the slabs of the converted array");
+  std::filesystem::remove_all(folder);
+}
+
 /// One filter follows random changes of the values, the selection and the intervals.
 void TestChanges(Check& check)
 {
@@ -723,12 +781,12 @@ void TestPieces(Check& check)
   for (const auto& grid : MakeFlowGrids())
   {
     AddArrays(grid.second);
-    // Integer values cause ties at the isovalues, where the values of ghost cells matter.
-    vtkDataArray* scalars = grid.second->GetCellData()->GetArray("s");
-    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-    {
-      scalars->SetComponent(i, 0, 8.0 * (i * 7 % 3));
-    }
+    // All values in the plane z = 2, where pieces meet, equal a bound. What is extracted there
+    // depends on the values of ghost cells.
+    grid.second->GetCellData()->SetScalars(MakeArray(grid.second, Cells, "s",
+      [](const Vector& x) {
+        return std::vector<double>{ x[2] < 1.0 ? 16.0 : x[2] < 3.0 ? 8.0 : 0.0 };
+      }));
     vtkNew<PieceSource> source;
     source->SetFullData(grid.second);
     const auto collect = [&](int pieces)
@@ -831,5 +889,5 @@ void TestUnusedPoints(Check& check)
 int TestCellArrays(int, char*[])
 {
   return RunChecks({ TestAllGrids, TestSelections, TestReport, TestBlocks, TestLevels, TestCriteria,
-    TestTimeSteps, TestChanges, TestCache, TestPieces, TestErrors, TestUnusedPoints });
+    TestTimeSteps, TestSlabs, TestChanges, TestCache, TestPieces, TestErrors, TestUnusedPoints });
 }
