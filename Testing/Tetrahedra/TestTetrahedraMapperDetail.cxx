@@ -41,7 +41,7 @@ constexpr double STILL = 1e-4;
 /// No level of detail is fast enough, so the coarsest one is drawn.
 constexpr double FASTEST = 1e9;
 
-/// What is drawn. Copies of it are independent.
+/// Input and settings of a mapper.
 struct State
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;

@@ -47,7 +47,7 @@ public:
     this->Last = 2 + subsets;
   }
 
-  /// Returns the finest level that is expected to take no more than the allocated time, or the last
+  /// Returns the finest level that is expected to take at most the allocated time, or the last
   /// level. To avoid flicker, a level must leave some of the time if it is finer than the previous
   /// one.
   int Choose(double allocated)

@@ -177,8 +177,8 @@ public:
     }
   }
 
-  // Returns, in ascending order, the tetrahedra with the \a number smallest keys and those whose
-  // keys differ from the largest of these only in the last bits.
+  // Returns the tetrahedra with the \a number smallest keys, in ascending order. Also returns
+  // tetrahedra if only the last bits of their keys differ from the largest of these keys.
   std::vector<std::uint32_t> FindSmallest(std::uint32_t number) const
   {
     std::uint32_t sum = 0;
