@@ -79,7 +79,10 @@ USES = {
         (shell(DISPLAY + ".ProjectiveLight = 1"), HANDLES, 1),
         (shell(DISPLAY + ".AreaLight = 1"), HANDLES, 2),
         (shell(DISPLAY + ".ProjectiveLight = 0"), HANDLES, 1),
-        (shell(DISPLAY + ".AreaLight = 0"), HANDLES, 0)],
+        (shell(DISPLAY + ".AreaLight = 0"), HANDLES, 0),
+        # A panel that is first opened while the volume is shown.
+        (shell("w = Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3]); SetActiveSource(None); d = Show(w); "
+               "d.SetRepresentationType('Shadowed Slices'); Render()") + shell("SetActiveSource(w)"), HANDLES, 0)],
 }
 
 
