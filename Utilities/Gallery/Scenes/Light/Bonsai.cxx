@@ -44,7 +44,7 @@ vtkSmartPointer<vtkSpatialObject> MakeBonsai()
   // Below the branches, everything except the trunk is noise.
   vtkNew<vtkSpatialOperation> leaves;
   leaves->SetOperationToTrim();
-  leaves->AddOperand(MakeImageObject(Cut(scan, crown, 0.7), 20.0, 48.0, tree));
+  leaves->AddOperand(MakeImageObject(Cut(scan, crown, 0.7), 24.0, 40.0, tree));
   leaves->AddOperand(Unite({ MakeBox({ 0.0, 88.0, 0.0 }, { 255.0, 255.0, 255.0 }, PlasterColor()),
     MakeBox({ 96.0, 0.0, 100.0 }, { 150.0, 88.0, 160.0 }, PlasterColor()) }));
 

@@ -33,7 +33,7 @@ gallery::Lights MakeLights()
 
 void Build(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(210);
+  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(240);
   gallery::ShadowPair pair =
     gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image), MakeLights());
   AddShadedGround(pair.With, 1);
@@ -46,9 +46,9 @@ void Build(gallery::Stage& stage)
 
 void BuildSoft(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(190);
+  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(220);
   gallery::SoftShadowPair pair = gallery::AddSoftShadowPair(
-    stage, image, gallery::MakeSolidMedium(image), MakeLights(), 0.9, 0.0, 320);
+    stage, image, gallery::MakeSolidMedium(image), MakeLights(), 0.9, 0.0, 640);
   AddShadedGround(pair.Hard, 1);
   AddShadedGround(pair.Soft, 48);
   pair.UseBackdrop({ 0.92, 0.88, 0.80 }, { 0.56, 0.50, 0.46 });

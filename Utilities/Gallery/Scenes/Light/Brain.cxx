@@ -38,6 +38,7 @@ void Build(gallery::Stage& stage)
     gallery::Sample(head, vtkBoundingBox(-0.5, 0.5, -0.35, 0.35, -0.5, 0.5), 180, 1.0);
   vtkSmartPointer<vtkVolumeProperty> property = gallery::MakeSolidMedium(image);
   const gallery::Lights lights = gallery::MakeStudioLights({ -2.2, -2.3, 2.1 });
+  lights.back()->SetIntensity(0.45);
   gallery::ShadowPair whole = gallery::AddShadowPair(stage, image, property, lights);
   gallery::ShadowPair part =
     gallery::AddShadowPair(stage, image, property, lights, 0.0, "close up, ");

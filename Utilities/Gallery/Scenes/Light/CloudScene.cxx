@@ -12,8 +12,8 @@ namespace gallery
 namespace
 {
 /// Mean cosine of the scattering angle. That of water droplets is about 0.85, but then the edges
-/// in front of the sun are too bright.
-constexpr double ANISOTROPY = 0.78;
+/// in front of the sun are too bright and all other parts too dark.
+constexpr double ANISOTROPY = 0.6;
 }
 
 vtkSmartPointer<vtkVolume> MakeCloudVolume(vtkSpatialObject* clouds,

@@ -21,8 +21,10 @@ void Build(gallery::Stage& stage, gallery::Scattering scattering)
 {
   gallery::Panel& panel = stage.AddPanel("", { 0.0, -1.0, 0.02 });
   panel.Add(gallery::MakeCloudVolume(
-    interlume::MakeClouds(CLOUDS), { { -2.0, 1.9, -0.95, 1.05, -0.15, 1.35 } }, 240, scattering));
-  gallery::UseSky(panel, { -0.4, 0.9, 0.38 }, { 0.05, -0.8, 1.0 }, 0.28, 0.28);
+    interlume::MakeClouds(CLOUDS), { { -2.0, 1.9, -0.95, 1.05, -0.15, 1.35 } }, 340, scattering));
+  // With full scattering, much more light reaches the camera.
+  const double exposure = scattering == gallery::Scattering::FULL ? 1.0 : 2.0;
+  gallery::UseSky(panel, { -0.4, 0.9, 0.38 }, { 0.05, -0.8, 1.0 }, 0.22 * exposure, 0.3 * exposure);
   panel.Frame(vtkBoundingBox(-1.7, 1.55, -0.1, 0.1, -0.36, 1.5));
 }
 
@@ -44,14 +46,14 @@ void BuildFull(gallery::Stage& stage)
 const gallery::SceneRegistration singleRegistration(
   { "clouds-single", "2.50", "Clouds with single scattering",
     "Cumulus clouds, with the sun behind them on the left. Only single scattering: edges through "
-    "which light passes are bright, all other parts are dark. The lights and the "
-    "exposure are the same as in clouds-forward and clouds-full.",
+    "which light passes are bright, all other parts are dark. The lights are those of "
+    "clouds-full, the exposure is twice as high.",
     {}, &BuildSingle });
 
 const gallery::SceneRegistration forwardRegistration(
   { "clouds-forward", "2.52", "Clouds with forward scattering",
-    "The same clouds with forward multiple scattering. They are brighter, and light passes through "
-    "thin parts.",
+    "The same clouds with forward multiple scattering, with the lights and the exposure of "
+    "clouds-single. They are brighter, and light passes through thin parts.",
     {}, &BuildForward });
 
 const gallery::SceneRegistration fullRegistration(

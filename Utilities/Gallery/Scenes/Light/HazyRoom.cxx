@@ -43,7 +43,7 @@ vtkSmartPointer<vtkImageData> SampleRoom()
     Unite(
       { Arrange(SoftenEdges(
                   vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::ROBOT), 0.02),
-          { -0.25, 0.1, 0.0 }, -20.0, 0.0, 0.68),
+          { -0.25, 0.1, 0.018 }, 0.0, 0.0, 0.68),
         Arrange(SoftenEdges(
                   vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS), 0.02),
           { 0.54, 0.32, 0.41 }, -28.0, 80.0, 0.42),

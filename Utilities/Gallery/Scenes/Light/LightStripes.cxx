@@ -15,15 +15,15 @@ void Build(gallery::Stage& stage)
   const vtkBoundingBox box(-1.65, 1.65, -0.95, 1.15, -0.08, 1.35);
   vtkSmartPointer<vtkSpatialObject> cube = gallery::Place(
     gallery::MakeBox({ -0.36, -0.36, 0.0 }, { 0.36, 0.36, 0.72 }, { 0.90, 0.62, 0.34 }),
-    { 0.0, -0.05, 0.0 }, 25.0);
+    { 0.0, -0.05, 0.02 }, 25.0);
   vtkSmartPointer<vtkImageData> image = gallery::Sample(
     gallery::SoftenEdges(
       gallery::Unite(
-        { gallery::MakeBox({ -1.6, -0.9, -0.05 }, { 1.6, 1.1, 0.0 }, gallery::PlasterColor()),
+        { gallery::MakeBox({ -1.6, -0.9, -0.05 }, { 1.6, 1.028, 0.0 }, gallery::PlasterColor()),
           gallery::MakeBox({ -1.6, 1.05, -0.05 }, { 1.6, 1.1, 1.3 }, gallery::PlasterColor()),
           cube }),
       0.012),
-    box, 320, 0.9);
+    box, 420, 1.3);
   vtkSmartPointer<vtkImageData> stripes = gallery::MakePattern(1024, 16,
     [](double u, double)
     {

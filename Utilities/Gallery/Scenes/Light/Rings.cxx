@@ -57,7 +57,7 @@ const gallery::SceneRegistration registration({ "rings", "2.7", "Rings with shad
 
 const gallery::SceneRegistration softRegistration(
   { "rings-soft", "2.33", "Rings under a point light and under a disk light",
-    "A disk light instead of a point light. A shadow is sharp where a ring touches another ring or "
-    "is close to the floor, and becomes wider with the distance from the ring.",
+    "A disk light instead of a point light. The closer a part of a ring is to the floor, the "
+    "sharper is its shadow.",
     {}, &BuildSoft });
 }

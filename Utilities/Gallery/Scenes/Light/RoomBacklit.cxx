@@ -60,12 +60,12 @@ void Build(gallery::Stage& stage)
                        vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::CHAIR)),
         { -0.15, 0.1, 0.0 }, 118.0) }),
     vtkBoundingBox(-1.3, 1.3, -1.04, 1.1, -0.1, 1.6), 220);
-  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.5, 1.0, 0.56 }, 7.5);
+  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.5, 1.0, 0.56 }, 6.2);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);
 
   gallery::Panel& panel =
     gallery::AddHazyPanel(stage, image, vtkBoundingBox(-1.2, 1.2, -1.0, 1.0, 0.0, 1.5), 0.0036,
-      { sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.22) });
+      { sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.28) });
   panel.SetAmbientOcclusion(0.0);
   panel.Add(MakeSky());
   panel.Frame(vtkBoundingBox(-1.06, 1.06, -1.0, -0.99, 0.12, 1.41));

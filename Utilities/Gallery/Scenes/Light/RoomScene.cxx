@@ -25,7 +25,7 @@ void Build(gallery::Stage& stage)
   panel.SetLights(gallery::MakeStudioLights({ 3.0, -2.3, 2.7 }, 1.1));
   gallery::UseBackdrop(panel, { 0.24, 0.25, 0.28 }, { 0.40, 0.43, 0.48 });
   panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
-  panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, 0.02, 1.28));
+  panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, -0.05, 1.28));
 }
 
 const gallery::SceneRegistration registration({ "room", "2.9", "A room with hard and soft shadows",

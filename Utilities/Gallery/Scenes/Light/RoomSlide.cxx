@@ -95,7 +95,7 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkProjectiveLight> projector = gallery::MakeProjector(
     { -0.7, -2.8, 1.1 }, { 0.22, 1.0, 0.70 }, ASPECT * height, height, 2.7, MakeSlide());
   gallery::AddHazyRoom(
-    stage, 0.0012, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.5) });
+    stage, 0.0016, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.55) });
 }
 
 const gallery::SceneRegistration registration(

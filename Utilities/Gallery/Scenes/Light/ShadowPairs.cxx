@@ -94,7 +94,7 @@ void BuildProteinShadows(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all =
     gallery::Unite({ gallery::Place(gallery::MakeProtein(), { 0.0, 0.0, 0.52 }, 100.0),
-      gallery::MakeFloor({ 0.62, 0.67, 0.72 }) });
+      gallery::SoftenEdges(gallery::MakeFloor({ 0.62, 0.67, 0.72 }), 0.03) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-1.0, 1.0, -1.02, 0.9, -0.05, 1.05), 220, 0.7);
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),

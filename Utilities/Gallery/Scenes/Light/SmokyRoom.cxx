@@ -14,9 +14,9 @@ namespace
 {
 void Build(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(gallery::MakeBox({ -0.3, -0.3, 0.0 }, { 0.3, 0.3, 0.6 }, { 0.80, 0.47, 0.26 }),
-        { 0.3, 0.2, 0.0 }, 30.0),
+  // Faces at an angle to the sampling grid would have streaks.
+  vtkSmartPointer<vtkSpatialObject> all =
+    gallery::Unite({ gallery::MakeBox({ 0.1, -0.2, 0.02 }, { 0.7, 0.4, 0.6 }, { 0.80, 0.47, 0.26 }),
       gallery::MakeRoom(vtkBoundingBox(-1.0, 1.5, -1.0, 1.0, 0.0, 1.5)) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-1.1, 1.5, -1.0, 1.1, -0.1, 1.5), 260, 1.4);
@@ -35,10 +35,10 @@ void Build(gallery::Stage& stage)
   gallery::GetSlicedMapper(volume)->SetLightBufferSize(1024);
   gallery::Panel& panel = stage.AddPanel("");
   panel.Add(volume);
-  panel.SetLights(gallery::MakeStudioLights({ 2.6, -2.4, 2.6 }));
+  panel.SetLights(gallery::MakeStudioLights({ 2.9, -2.4, 2.8 }));
   gallery::UseBackdrop(panel, { 0.20, 0.22, 0.26 }, { 0.34, 0.38, 0.44 });
-  panel.LookFrom({ 0.3, -1.0, 0.36 }, { 0.0, 0.0, 1.0 });
-  panel.Frame(vtkBoundingBox(-0.85, 0.95, -0.4, 1.0, 0.02, 1.05));
+  panel.LookFrom({ 0.5, -1.0, 0.38 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-0.9, 0.8, -0.22, 1.0, 0.06, 1.0));
 }
 
 const gallery::SceneRegistration registration({ "smoky-room", "2.8", "A cube in a smoky room",

@@ -18,16 +18,20 @@ vtkSmartPointer<vtkImageData> SampleSphere()
   // With less noise than in the model, no parts come off the sphere.
   vtkSpatialTurbulence::SafeDownCast(vtkSpatialOperation::SafeDownCast(sphere)->GetOperand(0))
     ->SetAmplitude(0.12);
-  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(sphere, { 0.0, 0.0, 0.62 }), gallery::MakeFloor({ 0.80, 0.79, 0.77 }) });
+  // With a narrower edge, a weave would be visible on the floor.
+  vtkSmartPointer<vtkSpatialObject> all =
+    gallery::Unite({ gallery::Place(sphere, { 0.0, 0.0, 0.62 }),
+      gallery::SoftenEdges(gallery::MakeFloor({ 0.80, 0.79, 0.77 }), 0.03) });
   return gallery::Sample(all, vtkBoundingBox(-1.68, 1.76, -1.3, 1.2, -0.04, 1.3), 330, 0.7);
 }
 
 void BuildHypertexture(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleSphere();
-  gallery::Panel& panel = gallery::AddShadowPanel(
-    stage, image, gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -2.6, -1.5, 3.8 }));
+  const gallery::Lights lights = gallery::MakeStudioLights({ -2.6, -1.5, 3.8 });
+  lights.back()->SetIntensity(0.4);
+  gallery::Panel& panel =
+    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image), lights);
   gallery::UseBackdrop(panel, { 0.78, 0.82, 0.86 }, { 0.16, 0.20, 0.28 });
   panel.LookFrom({ 0.15, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-0.85, 1.35, -0.1, 0.1, -0.12, 1.24));

@@ -203,7 +203,7 @@ void BuildBeamSoft(gallery::Stage& stage)
   const vtkColor3d white(1.0, 1.0, 1.0);
   vtkSmartPointer<vtkSpatialPrimitive> air =
     gallery::MakeBox({ -0.94, -0.5, -0.5 }, { 2.2, 0.5, 0.5 }, white);
-  air->SetDensity(0.4);
+  air->SetDensity(0.6);
   air->SetEdgeWidth(0.2);
   vtkSmartPointer<vtkSpatialPrimitive> solid = gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white);
   solid->SetEdgeWidth(0.04);
@@ -212,11 +212,11 @@ void BuildBeamSoft(gallery::Stage& stage)
       vtkBoundingBox(-0.94, 2.2, -0.5, 0.5, -0.5, 0.5), 130);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.45);
+  opacity->AddPoint(255.0, 0.36);
   vtkSmartPointer<vtkVolumeProperty> medium = MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.03);
   medium->SetSpecular(0.0);
-  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -5.0, 0.0, 0.0 }, 25.0);
+  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -5.0, 0.0, 0.0 }, 36.0);
   lamp->SetDiffuseColor(1.0, 0.86, 0.6);
   // The maximum surface gradient makes scattering nearly isotropic, so that edges are not shaded.
   gallery::SoftShadowPair pair =
@@ -231,11 +231,14 @@ void BuildBeamSoft(gallery::Stage& stage)
     frame->SetPosition(POSITION[0], POSITION[1], POSITION[2]);
     panel->Add(frame);
   }
-  // With thicker slices, individual slices would be visible at the edges of the hard beams.
+  // With thicker slices or a finer depth map, slices at the edges of the hard beams would leave
+  // ripples. The texels of the depth map are wider than the slices.
   vtkShadowedSliceMapper* hard = gallery::GetSlicedMapper(
     vtkVolume::SafeDownCast(pair.Hard.GetRenderer()->GetVolumes()->GetItemAsObject(0)));
   hard->SetSliceSpacing(0.2 * image->GetSpacing()[0]);
   hard->SetLightBufferSize(384);
+  vtkShadowedScenePass::SafeDownCast(pair.Hard.GetRenderer()->GetPass())
+    ->SetDepthMapResolution(320);
   pair.Look({ 0.25, -1.0, 0.25 }, vtkBoundingBox(-0.8, 1.7, -0.1, 0.1, -0.36, 0.36));
 }
 

@@ -16,7 +16,7 @@ namespace
 using namespace interlume;
 
 /// Number of samples of area lights, for both the tree and the mushrooms.
-constexpr int SAMPLES = 40;
+constexpr int SAMPLES = 64;
 
 /// Color of the ground.
 constexpr Position3 GROUND{ { 0.82, 0.75, 0.64 } };
@@ -50,7 +50,7 @@ gallery::Panel& AddSoftShadows(gallery::Stage& stage, const std::string& caption
   gallery::Panel& panel = stage.AddPanel(caption);
   vtkSmartPointer<vtkVolume> volume =
     gallery::MakeSlicedVolume(image, gallery::MakeSolidMedium(image));
-  gallery::GetSlicedMapper(volume)->SetLightBufferSize(320);
+  gallery::GetSlicedMapper(volume)->SetLightBufferSize(512);
   panel.Add(volume);
   panel.SetLights(gallery::MakeDiskLights(lights, diameter));
   AddSurfaces(panel, gallery::EDGE_GAIN);
@@ -60,7 +60,7 @@ gallery::Panel& AddSoftShadows(gallery::Stage& stage, const std::string& caption
 
 void Build(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(190);
+  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(220);
   const gallery::Lights lights = gallery::MakeStudioLights({ -0.3, -2.5, 3.3 }, 1.15);
   gallery::ShadowPair pair =
     gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image), lights);
@@ -77,9 +77,11 @@ void Build(gallery::Stage& stage)
 
 void BuildOtherLight(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(220);
-  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ 2.1, -1.8, 2.75 }, 1.25));
+  vtkSmartPointer<vtkImageData> image = gallery::SampleBonsai(240);
+  const gallery::Lights lights = gallery::MakeStudioLights({ 2.1, -1.8, 2.75 }, 1.25);
+  lights.back()->SetIntensity(0.5);
+  gallery::Panel& panel =
+    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image), lights);
   AddSurfaces(panel, gallery::EDGE_GAIN);
   gallery::UseSceneShadows(panel, 1);
   panel.LookFrom({ 0.1, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
@@ -88,7 +90,7 @@ void BuildOtherLight(gallery::Stage& stage)
 
 void BuildSoft(gallery::Stage& stage)
 {
-  gallery::Panel& panel = AddSoftShadows(stage, "", gallery::SampleBonsai(190),
+  gallery::Panel& panel = AddSoftShadows(stage, "", gallery::SampleBonsai(220),
     gallery::MakeStudioLights({ -2.4, -1.6, 3.0 }, 1.2), 0.5);
   panel.LookFrom({ 0.1, -1.0, 0.62 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-0.6, 1.0, -0.1, 0.1, -0.48, 1.2));

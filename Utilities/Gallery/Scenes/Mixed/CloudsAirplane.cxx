@@ -40,16 +40,16 @@ void Build(gallery::Stage& stage)
   // real droplets, so that the clouds are white up to their edges.
   vtkSmartPointer<vtkVolume> volume =
     gallery::MakeCloudVolume(gallery::Unite({ interlume::MakeClouds(heaps), MakeLayer() }),
-      { { -2.0, 2.2, -1.2, 1.9, -0.1, 0.8 } }, 240, gallery::Scattering::FULL, 70.0);
+      { { -2.0, 2.2, -1.2, 1.9, -0.1, 0.8 } }, 340, gallery::Scattering::FULL, 70.0);
   gallery::Scatter(volume, gallery::Scattering::FULL, 0.2, 128);
   panel.Add(volume);
   interlume::Model airplane = interlume::MakeAirplane();
   airplane.front().Color = airplane.back().Color = { { 0.80, 0.16, 0.10 } };
-  gallery::AddModel(panel,
-    interlume::Move(airplane, { { -0.35, -0.2, 0.8 } }, { { 14.0, -4.0, -24.0 } }), 0.5, 0.5);
+  gallery::AddModel(
+    panel, interlume::Move(airplane, { { -0.38, 0.1, 0.6 } }, { { 14.0, -4.0, -24.0 } }), 0.5, 0.5);
   gallery::UseSceneShadows(panel);
   // The skylight comes from the camera, so that only the shadow of sunlight is visible.
-  gallery::UseSky(panel, { -0.9, -0.35, 0.8 }, { 0.12, -1.0, 0.62 }, 0.255, 0.11);
+  gallery::UseSky(panel, { -0.55, 0.3, 1.0 }, { 0.12, -1.0, 0.62 }, 0.23, 0.11);
   gallery::UseBackdrop(panel, { 0.10, 0.22, 0.40 }, { 0.36, 0.54, 0.74 });
   panel.Frame(vtkBoundingBox(-1.05, 1.05, -0.1, 0.1, -0.1, 0.98));
 }

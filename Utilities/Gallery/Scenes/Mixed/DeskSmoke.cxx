@@ -94,7 +94,7 @@ void Build(gallery::Stage& stage)
   vtkShadowedScenePass::SafeDownCast(panel.GetRenderer()->GetPass())->SetDepthMapResolution(4096);
   vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ 0.45, 1.0, 0.75 }, 4.8);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);
-  panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.45) });
+  panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.6) });
   // The background is the sky, which is visible only through the window.
   panel.SetBackground(vtkColor3d(0.74, 0.82, 0.92));
   panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));

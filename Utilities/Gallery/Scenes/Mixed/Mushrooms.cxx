@@ -86,7 +86,6 @@ const gallery::SceneRegistration registration({ "mushrooms", "2.43", "The shadow
 const gallery::SceneRegistration softRegistration(
   { "mushrooms-soft", "2.48", "Hard and soft shadows of mushrooms",
     "The same mushrooms under a point light and under a disk light. The shadows of the stems are "
-    "sharp at their feet. The shadows of the caps widen with their height above the ground and "
-    "above other caps.",
+    "sharp at their feet. The shadows of the caps widen with their height above the ground.",
     {}, &BuildSoft });
 }

@@ -18,7 +18,7 @@ void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(gallery::MakeBox({ -0.9, -0.6, 0.0 }, { 0.9, 0.6, 1.3 }, { 0.66, 0.86, 0.90 }),
-      vtkBoundingBox(-1.0, 1.0, -0.7, 0.7, -0.1, 1.4), 120);
+      vtkBoundingBox(-1.0, 1.0, -0.7, 0.7, -0.1, 1.4), 180, 0.9);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
   opacity->AddPoint(255.0, 0.42);
