@@ -198,7 +198,9 @@ void TestCells(StabilityCatalogue& catalogue)
   auto open = cube;
   open.pop_back();
   Refuse(catalogue, "cell-open", "a polyhedron with a missing face", "Cell 0", make(open, 1));
-  Refuse(catalogue, "cell-flat", "a polyhedron without volume", "no area", make(cube, 0));
+  vtkNew<vtkTetrahedralMesher> flatMesher;
+  flatMesher->SetInputDataObject(make(cube, 0));
+  ReportEmpty(catalogue, flatMesher, "mesher-cell-flat", "a polyhedron without volume", "no area");
   auto nan = make(cube, 1);
   nan->GetPoints()->SetPoint(5, 0, NaN, 0);
   Refuse(catalogue, "cell-nan", "a cell with a NaN coordinate", "point 5", nan);

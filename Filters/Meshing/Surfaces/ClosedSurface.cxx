@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -213,23 +214,25 @@ void ClosedSurface::RemoveDuplicates()
   this->Triangles = std::move(retained);
 }
 
-void ClosedSurface::MergePoints(const std::map<int, int>& merged)
+void ClosedSurface::ReplacePoints(const std::vector<int>& targets)
 {
-  const auto number = static_cast<int>(this->Points.SourceIds.size());
-  std::vector<int> newIds(number);
+  const auto number = static_cast<int>(targets.size());
+  std::vector<int> newIds(number, -1);
   int retained = 0;
   for (int p = 0; p < number; ++p)
   {
-    const auto found = merged.find(p);
-    newIds[p] = found == merged.end() ? retained : newIds[found->second];
-    if (found == merged.end())
+    if (targets[p] == p)
     {
+      newIds[p] = retained;
       this->Points.SourceIds[retained] = this->Points.SourceIds[p];
       std::copy_n(&this->Points.Coordinates[3 * p], 3, &this->Points.Coordinates[3 * retained]);
       ++retained;
     }
+    else if (targets[p] >= 0)
+    {
+      newIds[p] = newIds[targets[p]];
+    }
   }
-  this->Points.NumberOfMerged += number - retained;
   this->Points.SourceIds.resize(retained);
   this->Points.Coordinates.resize(3 * retained);
   for (std::vector<Triangle>* list : { &this->Triangles, &this->InputTriangles })
@@ -242,6 +245,31 @@ void ClosedSurface::MergePoints(const std::map<int, int>& merged)
       }
     }
   }
+}
+
+void ClosedSurface::RemoveUnusedPoints()
+{
+  std::vector<int> targets(this->Points.SourceIds.size(), -1);
+  for (const Triangle& triangle : this->Triangles)
+  {
+    for (const int point : triangle.Points)
+    {
+      targets[point] = point;
+    }
+  }
+  this->ReplacePoints(targets);
+}
+
+void ClosedSurface::MergePoints(const std::map<int, int>& merged)
+{
+  std::vector<int> targets(this->Points.SourceIds.size());
+  std::iota(targets.begin(), targets.end(), 0);
+  for (const auto& pair : merged)
+  {
+    targets[pair.first] = pair.second;
+  }
+  this->ReplacePoints(targets);
+  this->Points.NumberOfMerged += static_cast<vtkIdType>(merged.size());
   // Collapsed triangles have no area, so remove them.
   const auto hasCollapsed = [](const Triangle& triangle)
   {
@@ -306,6 +334,8 @@ Error ClosedSurface::RemoveFlatTriangles(bool splitContacts)
   }
   this->Triangles.erase(
     std::remove_if(this->Triangles.begin(), this->Triangles.end(), isFlat), this->Triangles.end());
+  // TetGen crashes if a point without triangles is on an edge.
+  this->RemoveUnusedPoints();
   return this->Triangles.empty()
     ? "All triangles of the surface, such as that of cell " + cell + ", have no area."
     : Error();

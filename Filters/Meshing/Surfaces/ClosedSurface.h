@@ -71,6 +71,9 @@ private:
   /// Removes triangles without area. Their neighbors are split at their points, as contacts, or an
   /// error is returned if \a splitContacts is false.
   Error RemoveFlatTriangles(bool splitContacts);
+  /// Replaces each point p by point targets[p], which is p or less, or removes it if that is -1.
+  void ReplacePoints(const std::vector<int>& targets);
+  void RemoveUnusedPoints();
   void RemoveDuplicates();
   Error SplitContacts(double tolerance, bool splitContacts);
   /// Checks that every edge has at least two triangles, and finds the patches.
