@@ -252,9 +252,9 @@ void TestErrors(AreaTable& table)
     table, "area-empty-emitter", "an image without samples", "emitter has no samples", light);
   vtkNew<vtkImageData> wide;
   wide->SetDimensions(2, 2, 1);
-  wide->AllocateScalars(VTK_SHORT, 1);
+  wide->AllocateScalars(VTK_BIT, 1);
   light->SetEmitter(wide);
-  ExpectError(table, "area-short-emitter", "an image of short integers", "type short", light);
+  ExpectError(table, "area-bit-emitter", "an image of bits", "type bit", light);
 
   ShadowScene scene = BoxScene();
   scene.Lights = { MakeAreaLight({ { -0.9, 0.9, 0.9 } }, 0.5) };

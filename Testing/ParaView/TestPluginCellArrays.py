@@ -64,10 +64,26 @@ def selection_of(proxy):
     return next(name for name in ("Scalars", "ContourBy", "Vectors") if name in proxy.ListProperties())
 
 
+def range_over_time(source, array):
+    """Returns the range of a cell array over all time steps, or over the only one."""
+    ranges = []
+    times = list(getattr(source.Input, "TimestepValues", None) or [0.0])
+    for time in times[::-1]:
+        source.UpdatePipeline(time)
+        ranges.append(source.CellData[array].GetRange())
+    return min(low for low, _ in ranges), max(high for _, high in ranges)
+
+
+def create(name, **inputs):
+    """Creates a filter. An active source would be its first input, and determine the default array."""
+    simple.SetActiveSource(None)
+    return getattr(simple, name)(**inputs)
+
+
 def check_filter(checks, name, properties, cells, points, array):
     """Tests the default selection, and that the output equals the output for the point array."""
-    proxy = getattr(simple, name)(Input=cells)
-    reference = getattr(simple, name)(Input=points)
+    proxy = create(name, Input=cells)
+    reference = create(name, Input=points)
     selection = selection_of(proxy)
     checks.equal(list(proxy.GetPropertyValue(selection)), ["CELLS", array], f"{name}, default array")
     checks.equal(list(reference.GetPropertyValue(selection)), ["POINTS", array], f"{name}, point arrays first")
@@ -75,7 +91,7 @@ def check_filter(checks, name, properties, cells, points, array):
         set_properties(one, properties)
     for value in ("Intervals", "Isosurfaces"):
         if value in proxy.ListProperties():
-            low, high = cells.CellData[array].GetRange()
+            low, high = range_over_time(cells, array)
             count = len(proxy.GetPropertyValue(value))
             middle = [low + (high - low) * part for part in (0.45, 0.6)][:count]
             checks.that(
@@ -110,12 +126,17 @@ def main(checks):
         checks, list(VECTOR_FILTERS), ((vectors, True), (wavelet, False), (scalars, False)))
     for name, properties in SCALAR_FILTERS.items():
         check_filter(checks, name, properties, scalars, to_points(scalars), "f")
+    saddle = to_cells(temporal_source("AnalyticFlow", {"Field": "Saddle", "WholeExtent": [0, 17, 0, 17, 0, 17]}))
     for name, properties in VECTOR_FILTERS.items():
-        check_filter(checks, name, properties, vectors, to_points(vectors), "Velocity")
-    lic = simple.FlowLIC(Input=flow, Field=vectors)
+        cells = saddle if name == "FlowCriticalPoints" else vectors
+        check_filter(checks, name, properties, cells, to_points(cells), "Velocity")
+    lic = create("FlowLIC", Input=flow, Field=vectors)
     checks.equal(list(lic.Vectors), ["CELLS", "Velocity"], "FlowLIC, default array")
-    reference = simple.FlowLIC(Input=flow, Field=to_points(vectors))
-    check_equal(checks, lic, reference, 1, "FlowLIC")
+    reference = create("FlowLIC", Input=flow, Field=to_points(vectors))
+    # ParaView adds an array of Field's selection to Input, which is therefore not compared.
+    streaks = ("point", "LIC")
+    checks.that(
+        numpy.array_equal(arrays_of(lic, 0)[streaks], arrays_of(reference, 0)[streaks]), "FlowLIC, streaks")
 
 
 run(main)

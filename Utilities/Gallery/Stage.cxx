@@ -100,6 +100,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Run(vtkAlgorithm* filter)
 vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkIntervalVolume* filter, vtkDataObject* input)
 {
   filter->SetInputDataObject(input);
+  filter->SetSizeWarningLimit(0);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = this->Run(filter);
   vtkUnstructuredGrid* boundaries =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
@@ -122,6 +123,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(
   vtkTimeVaryingIntervalVolume* filter, vtkAlgorithm* source)
 {
   filter->SetInputConnection(source->GetOutputPort());
+  filter->SetSizeWarningLimit(0);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = this->Run(filter);
   vtkInterlumeReport* report = filter->GetReport();
   this->Report.Intervals += filter->GetNumberOfIntervals();

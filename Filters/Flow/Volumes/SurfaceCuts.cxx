@@ -240,6 +240,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SurfaceCuts::Extract(const Request& request
   byLevels->SetGenerateBoundaries(request.GenerateTriangles);
   byLevels->GenerateOriginArraysOn();
   byLevels->WarnOnEmptyOutputOff();
+  byLevels->SetSizeWarningLimit(0);
   request.Levels->SetItems(byLevels);
   byLevels->Update();
   vtkNew<vtkUnstructuredGrid> uncut;
@@ -267,6 +268,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SurfaceCuts::Extract(const Request& request
   byGap->SetInterval(0, 0.0, VTK_DOUBLE_MAX);
   byGap->GenerateOriginArraysOn();
   byGap->WarnOnEmptyOutputOff();
+  byGap->SetSizeWarningLimit(0);
   byGap->Update();
   auto cut = vtkSmartPointer<vtkUnstructuredGrid>::New();
   cut->ShallowCopy(byGap->GetOutput());

@@ -89,8 +89,12 @@ VolumeExtraction::VolumeExtraction()
   this->ByTime.Filter->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkFlowStatus::TimeArray());
   // An extraction may be empty, for example if the input is one of several pieces.
-  this->ByInflow.Filter->WarnOnEmptyOutputOff();
-  this->ByTime.Filter->WarnOnEmptyOutputOff();
+  // vtkFlowVolume issues its own warnings.
+  for (vtkIntervalVolume* filter : { this->ByInflow.Filter.Get(), this->ByTime.Filter.Get() })
+  {
+    filter->WarnOnEmptyOutputOff();
+    filter->SetSizeWarningLimit(0);
+  }
 }
 
 VolumeExtraction::~VolumeExtraction() = default;
