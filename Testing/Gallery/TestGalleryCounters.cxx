@@ -22,7 +22,8 @@ constexpr int OCCLUSION_PASSES = 2;
 /// Scenes that turn off ambient occlusion, since its noise would show on their smooth surfaces.
 const std::set<std::string> WITHOUT_OCCLUSION = { "flow-disk", "flow-obstacle",
   "flow-volume-boundary", "hurricane-inflow", "implicit-stream", "inflow-dual", "inflow-post",
-  "streamline-zoom", "time-clip", "time-surfaces", "time-slices" };
+  "interval-linear", "interval-two-attributes", "streamline-zoom", "time-boundaries", "time-clip",
+  "time-slices", "time-surfaces" };
 
 class Checker
 {
@@ -198,8 +199,10 @@ public:
       "shaders have code for time extents only in time-varying scenes");
     this->Expect(has("surface") == (volume.at("boundary_triangles") > 0),
       "shaders have code for boundary triangles only if there are some");
-    const bool isParallel = this->Scene == "constant-plate" || this->Scene == "wave-in-time";
-    this->Expect(has("perspective") != isParallel, "the projection is perspective, except in two");
+    const bool isParallel = this->Scene == "constant-plate" || this->Scene == "wave-in-time" ||
+      this->Scene == "coupled-charge";
+    this->Expect(
+      has("perspective") != isParallel, "the projection is perspective, except in three");
     this->Expect(volume.at("pixel_stride") == 1, "every pixel is computed");
     this->Expect(volume.at("tetrahedra_drawn") > 0, "some tetrahedra are drawn");
     this->Expect(

@@ -49,7 +49,7 @@ struct TetrahedraReport
   vtkIdType UnmatchedTriangles = 0;
 
   /// Number of processes whose partitions were combined in this image. 0 if this process drew only
-  /// its own partition, even if images are composited afterwards.
+  /// its own partition, even if images are composited afterward.
   int Processes = 0;
 
   /// Number of passes over the tetrahedra (one for each layer in PRIORITY_BLEND), and number of
