@@ -15,11 +15,11 @@
  *   output, which the client selects with the source, is replaced. When the new filter first has
  *   data, displays of the first output are hidden, as ParaView hides an input.
  * - field: name of a second input property. If nothing is connected, the nearest suitable output
- *   upstream of the first input is used, and an array of it is selected in the property named in
- * the attribute array.
+ *   upstream of the first input is used. The attribute array names the property that selects one of
+ *   its arrays.
  * - time: name of a property that is set to the current time, clamped to the range of the point
- * array of that name, or to the times of the data. The property named in the attribute toggle keeps
- * its value.
+ *   array of that name, or to the times of the data. The attribute toggle names a property that
+ *   keeps its value.
  *
  * Properties set explicitly remain unchanged.
  */

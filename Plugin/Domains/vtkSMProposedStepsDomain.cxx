@@ -55,8 +55,7 @@ int vtkSMProposedStepsDomain::SetDefaultValues(vtkSMProperty* property, bool use
   {
     vtkWarningMacro("Even with Time Step Stride "
       << information->GetStride() << ", the number of tetrahedra exceeds " << request.Limit
-      << " (Size Warning Limit). Shorten Time Step "
-         "Range.");
+      << " (Size Warning Limit). Shorten Time Step Range.");
   }
   else if (isShortened || information->GetStride() > 1)
   {

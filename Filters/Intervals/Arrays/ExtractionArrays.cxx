@@ -102,35 +102,35 @@ bool ExtractionArrays::AreCompatible(vtkAbstractArray* a, vtkAbstractArray* b)
     (a->IsA("vtkDataArray") || a->GetDataType() == b->GetDataType());
 }
 
-std::size_t ExtractionArrays::GetBytesPerPoint(vtkDataSet* input, int precision)
+namespace
 {
-  std::size_t bytes = 3 * vtkDataArray::GetDataTypeSize(ChoosePointType(input, precision));
-  vtkPointData* arrays = input->GetPointData();
+// Returns the size in bytes of the output arrays per tuple. \a getType returns the type of the
+// output array for the type of an input array.
+std::size_t GetBytesPerTuple(vtkDataSetAttributes* arrays, int (*getType)(int))
+{
+  std::size_t bytes = 0;
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* array = arrays->GetArray(a);
-    if (array && IsCarried(arrays, array))
+    if (array && ExtractionArrays::IsCarried(arrays, array))
     {
       bytes += static_cast<std::size_t>(array->GetNumberOfComponents()) *
-        vtkDataArray::GetDataTypeSize(GetInterpolatedType(array->GetDataType()));
+        vtkDataArray::GetDataTypeSize(getType(array->GetDataType()));
     }
   }
   return bytes;
 }
+}
+
+std::size_t ExtractionArrays::GetBytesPerPoint(vtkDataSet* input, int precision)
+{
+  return 3 * vtkDataArray::GetDataTypeSize(ChoosePointType(input, precision)) +
+    GetBytesPerTuple(input->GetPointData(), GetInterpolatedType);
+}
 
 std::size_t ExtractionArrays::GetBytesPerCell(vtkDataSet* input)
 {
-  std::size_t bytes = 0;
-  vtkCellData* arrays = input->GetCellData();
-  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
-  {
-    vtkDataArray* array = arrays->GetArray(a);
-    if (array && IsCarried(arrays, array))
-    {
-      bytes += static_cast<std::size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
-    }
-  }
-  return bytes;
+  return GetBytesPerTuple(input->GetCellData(), [](int type) { return type; });
 }
 
 bool ExtractionArrays::GetRowDimensions(vtkDataSet* input, int dimensions[3])
