@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs the value and stability tests with a sanitizer. Needs common.sh and results.sh.
 
-# test_with_sanitizer address|thread: the argument also selects the preset and the suppressions.
-# Excludes the gallery, because the OpenGL driver is not instrumented, and the project that uses the
-# installed package, which is not instrumented either. For threads, excludes all rendering, because
+# test_with_sanitizer address|thread: the argument also selects the preset and the suppressions. The
+# presets build no programs and no Python modules. Excludes the project that uses the installed
+# package, which is not instrumented. For threads, excludes all rendering, because
 # locks in the driver are not visible.
 test_with_sanitizer()
 {
-  local name=$1 suppressions=$source_dir/Utilities/sanitizers excluded='Gallery|TestInstalledPackage'
+  local name=$1 suppressions=$source_dir/Utilities/sanitizers excluded=TestInstalledPackage
   if [ "$name" = thread ]; then
     excluded="$excluded|TestTetrahedraMapper|TestVolumeStage"
   fi
