@@ -2,34 +2,24 @@
 #ifndef interlume_CellArrayConversion_h
 #define interlume_CellArrayConversion_h
 
-#include "Common/ArrayCheck.h"
-#include "Common/GridCheck.h"
-
-#include "vtkAlgorithm.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCellDataToPointData.h"
-#include "vtkDataSet.h"
-#include "vtkIdList.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
-#include "vtkNew.h"
-#include "vtkSMPTools.h"
+#include "InterlumeCommonModule.h" // for the export macro
+#include "vtkDataObject.h"         // for the associations
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
-#include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
+
+class vtkAbstractArray;
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataSet;
+class vtkDataSetAttributes;
+class vtkInformation;
+class vtkInformationVector;
 
 namespace interlume
 {
-
-/// Returns the array that a filter processes in a dataset, and its association.
-using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet* input, int& association)>;
 
 /**
  * @class   CellArrayConversion
@@ -42,7 +32,7 @@ using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet* input, int& asso
  *
  * Results are cached until the dataset changes.
  */
-class CellArrayConversion
+class INTERLUMECOMMON_EXPORT CellArrayConversion
 {
 public:
   struct Selection
@@ -66,57 +56,13 @@ public:
 
   /// The array to process must have \a components components. \a names are further one-component
   /// arrays. \a cache, if not null, keeps the results longer than this object.
-  CellArrayConversion(vtkAlgorithm* owner, ArrayFinder findArray, int components,
-    std::vector<std::string> names = {}, Cache* cache = nullptr)
-    : Owner(owner)
-    , FindArray(std::move(findArray))
-    , Components(components)
-    , Names(std::move(names))
-    , External(cache)
-  {
-  }
+  CellArrayConversion(vtkAlgorithm* owner, int components,
+    const std::vector<std::string>& names = {}, Cache* cache = nullptr);
+  ~CellArrayConversion();
 
   /// Returns the array to process in a dataset. The result is valid until Clear() or until the
   /// dataset changes.
-  Selection Select(vtkDataSet* input)
-  {
-    Selection selection{ input };
-    selection.Array = FindRequested(this->Owner, this->FindArray, input, selection.Association);
-    std::vector<vtkDataArray*> sources;
-    const auto add = [&](vtkAbstractArray* array, int components)
-    {
-      if (array &&
-        !ArrayCheck::FindShapeError(array, components, input->GetNumberOfCells(), "cell") &&
-        std::find(sources.begin(), sources.end(), array) == sources.end())
-      {
-        sources.push_back(vtkDataArray::SafeDownCast(array));
-      }
-    };
-    if (selection.Association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
-    {
-      add(selection.Array, this->Components);
-    }
-    const bool isConverted = !sources.empty();
-    for (const std::string& name : this->Names)
-    {
-      const Selection named = FindByName(input, name);
-      add(named.Association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? named.Array : nullptr, 1);
-    }
-    // An invalid grid cannot be converted. The filter's own check reports the error.
-    if (sources.empty() || GridCheck::FindError(input))
-    {
-      return selection;
-    }
-    const Converted& converted = this->Convert(input, sources);
-    selection.Data = converted.Data;
-    if (isConverted)
-    {
-      this->Activate(converted);
-      selection.Array = converted.Arrays[0];
-      selection.Association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    }
-    return selection;
-  }
+  Selection Select(vtkDataSet* input);
 
   /// Releases all results except those in a cache of the caller.
   void Clear() { this->OwnResults.clear(); }
@@ -124,204 +70,28 @@ public:
   /// Returns the names of all cell arrays converted so far.
   const std::vector<std::string>& GetNames() const { return this->ConvertedNames; }
 
-  /// Drops results that were not used since the last call.
-  static void RemoveUnused(Cache& cache)
-  {
-    for (auto entry = cache.begin(); entry != cache.end();)
-    {
-      entry = entry->second.IsUsed ? std::next(entry) : cache.erase(entry);
-    }
-    for (auto& entry : cache)
-    {
-      entry.second.IsUsed = false;
-    }
-  }
-
   /// Returns the array to process and its association, without converting it.
-  static vtkAbstractArray* FindRequested(
-    vtkAlgorithm* owner, const ArrayFinder& findArray, vtkDataSet* input, int& association)
-  {
-    vtkAbstractArray* array = findArray(input, association);
-    vtkInformation* request = owner->GetInputArrayInformation(0);
-    if (array || !IsPointOrCell(GetAssociation(request)))
-    {
-      return array;
-    }
-    association = GetAssociation(request) == vtkDataObject::FIELD_ASSOCIATION_CELLS
-      ? vtkDataObject::FIELD_ASSOCIATION_POINTS
-      : vtkDataObject::FIELD_ASSOCIATION_CELLS;
-    return Find(request, input->GetAttributes(association));
-  }
+  static vtkAbstractArray* FindRequested(vtkAlgorithm* owner, vtkDataSet* input, int& association);
 
   /// Returns the point array with the given name or, if there is none, the cell array.
-  static Selection FindByName(vtkDataSet* data, const std::string& name)
-  {
-    vtkAbstractArray* array = data->GetPointData()->GetAbstractArray(name.c_str());
-    return array ? Selection{ data, array }
-                 : Selection{ data, data->GetCellData()->GetAbstractArray(name.c_str()),
-                     vtkDataObject::FIELD_ASSOCIATION_CELLS };
-  }
+  static Selection FindByName(vtkDataSet* data, const std::string& name);
 
   /// Returns the requested array in one set of attributes, or null.
-  static vtkAbstractArray* Find(vtkInformation* request, vtkDataSetAttributes* attributes)
-  {
-    return request->Has(vtkDataObject::FIELD_NAME())
-      ? attributes->GetAbstractArray(request->Get(vtkDataObject::FIELD_NAME()))
-      : attributes->GetAbstractAttribute(request->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
-  }
+  static vtkAbstractArray* Find(vtkInformation* request, vtkDataSetAttributes* attributes);
 
   /// Requests another layer of ghost cells if one of several pieces is requested and a cell array
   /// may be selected. Otherwise, points at the boundary of the piece would lack cells.
   static void RequestGhostCells(
-    vtkAlgorithm* owner, vtkInformationVector** inputs, vtkInformationVector* outputs)
-  {
-    using Pipeline = vtkStreamingDemandDrivenPipeline;
-    vtkInformation* input = inputs[0]->GetInformationObject(0);
-    if (outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1 &&
-      GetAssociation(owner->GetInputArrayInformation(0)) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-    {
-      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-        input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1);
-    }
-  }
+    vtkAlgorithm* owner, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-  static int GetAssociation(vtkInformation* request)
-  {
-    return request->Get(vtkDataObject::FIELD_ASSOCIATION());
-  }
+  static int GetAssociation(vtkInformation* request);
 
 private:
-  static bool IsPointOrCell(int association)
-  {
-    return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
-      association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
-      association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
-  }
-
-  const Converted& Convert(vtkDataSet* input, const std::vector<vtkDataArray*>& sources)
-  {
-    Converted& result = (this->External ? *this->External : this->OwnResults)[input];
-    result.IsUsed = true;
-    if (result.InputTime != input->GetMTime() || result.Sources != sources)
-    {
-      result = Converted();
-      result.IsUsed = true;
-      result.Sources = sources;
-      result.Data.TakeReference(input->NewInstance());
-      result.Data->ShallowCopy(input);
-      vtkPointData* points = result.Data->GetPointData();
-      for (vtkDataArray* source : sources)
-      {
-        const vtkSmartPointer<vtkDataArray> averages = this->Average(input, source);
-        points->AddArray(averages);
-        result.Arrays.push_back(averages);
-      }
-      // The result of an aborted conversion is used only until the filter stops.
-      result.InputTime = this->Owner->GetAbortExecute() ? 0 : input->GetMTime();
-    }
-    for (vtkDataArray* source : sources)
-    {
-      const std::string name = source->GetName() ? source->GetName() : "";
-      std::vector<std::string>& names = this->ConvertedNames;
-      if (std::find(names.begin(), names.end(), name) == names.end())
-      {
-        names.push_back(name);
-      }
-    }
-    return result;
-  }
-
-  // If the cell array was selected as an active attribute, makes the first converted array this
-  // attribute of the points, so that it is found there.
-  void Activate(const Converted& converted) const
-  {
-    vtkInformation* request = this->Owner->GetInputArrayInformation(0);
-    vtkPointData* points = converted.Data->GetPointData();
-    for (int i = 0; !request->Has(vtkDataObject::FIELD_NAME()) && i < points->GetNumberOfArrays();
-         ++i)
-    {
-      const int type = request->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
-      if (points->GetAbstractArray(i) == converted.Arrays[0] &&
-        points->GetAbstractAttribute(type) != converted.Arrays[0])
-      {
-        points->SetActiveAttribute(i, type);
-      }
-    }
-  }
-
-  vtkSmartPointer<vtkDataArray> Average(vtkDataSet* input, vtkDataArray* source)
-  {
-    this->Owner->SetProgressText(
-      ("Averaging cell " + ArrayCheck::Describe(source) + " at the points").c_str());
-    // A grid with the same blanking and a single cell array, which has a name in any case.
-    const auto grid = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
-    grid->CopyStructure(input);
-    const char* const name = "values";
-    const auto values = vtkSmartPointer<vtkDataArray>::Take(source->NewInstance());
-    values->ShallowCopy(source);
-    values->SetName(name);
-    grid->GetCellData()->AddArray(values);
-    vtkNew<vtkCellDataToPointData> filter;
-    filter->SetInputData(grid);
-    filter->ProcessAllArraysOff();
-    filter->AddCellDataArray(name);
-    vtkNew<vtkCallbackCommand> progress;
-    progress->SetClientData(this->Owner);
-    progress->SetCallback(ForwardProgress);
-    filter->AddObserver(vtkCommand::ProgressEvent, progress);
-    if (vtkUnstructuredGrid::SafeDownCast(grid))
-    {
-      // With several threads, the order of the cells at a point varies, and so does the rounding of
-      // the averages.
-      vtkSMPTools::LocalScope(
-        vtkSMPTools::Config(std::string("Sequential")), [&filter] { filter->Update(); });
-    }
-    else
-    {
-      filter->Update();
-    }
-    vtkSmartPointer<vtkDataArray> averages = filter->GetOutput()->GetPointData()->GetArray(name);
-    if (averages)
-    {
-      ClearUnusedPoints(vtkUnstructuredGrid::SafeDownCast(grid), averages);
-    }
-    else
-    {
-      // There are no cells.
-      averages.TakeReference(source->NewInstance());
-      averages->SetNumberOfComponents(source->GetNumberOfComponents());
-      averages->SetNumberOfTuples(input->GetNumberOfPoints());
-      averages->Fill(0.0);
-    }
-    averages->SetName(source->GetName());
-    return averages;
-  }
-
-  // Points without cells are uninitialized in the result for unstructured grids.
-  static void ClearUnusedPoints(vtkUnstructuredGrid* grid, vtkDataArray* averages)
-  {
-    vtkNew<vtkIdList> cells;
-    for (vtkIdType point = 0; grid && point < grid->GetNumberOfPoints(); ++point)
-    {
-      grid->GetPointCells(point, cells);
-      for (int c = 0; cells->GetNumberOfIds() == 0 && c < averages->GetNumberOfComponents(); ++c)
-      {
-        averages->SetComponent(point, c, 0.0);
-      }
-    }
-  }
-
-  // Lets the application process an abort. The progress of the filter itself begins afterward.
-  static void ForwardProgress(vtkObject* caller, unsigned long, void* owner, void*)
-  {
-    auto* algorithm = static_cast<vtkAlgorithm*>(owner);
-    double progress = algorithm->GetProgress();
-    algorithm->InvokeEvent(vtkCommand::ProgressEvent, &progress);
-    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(algorithm->GetAbortExecute());
-  }
+  const Converted& Convert(vtkDataSet* input, const std::vector<vtkDataArray*>& sources);
+  void Activate(const Converted& converted) const;
+  vtkSmartPointer<vtkDataArray> Average(vtkDataSet* input, vtkDataArray* source);
 
   vtkAlgorithm* Owner;
-  ArrayFinder FindArray;
   int Components;
   std::vector<std::string> Names;
   std::vector<std::string> ConvertedNames;

@@ -118,11 +118,7 @@ int vtkFlowLIC::RequestData(
   {
     return 1;
   }
-  interlume::CellArrayConversion conversion(
-    this,
-    [this](vtkDataSet* data, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, data, association); },
-    3);
+  interlume::CellArrayConversion conversion(this, 3);
   const interlume::CellArrayConversion::Selection selection = conversion.Select(field);
   points = points == field ? selection.Data : points;
   field = selection.Data;

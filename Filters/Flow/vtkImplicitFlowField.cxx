@@ -445,11 +445,7 @@ struct vtkImplicitFlowField::Execution
 int vtkImplicitFlowField::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  Execution execution(request, inputs, outputs, *this,
-    { this,
-      [this](vtkDataSet* input, int& association)
-      { return this->GetInputAbstractArrayToProcess(0, input, association); },
-      3, this->MeanArrays });
+  Execution execution(request, inputs, outputs, *this, { this, 3, this->MeanArrays });
   execution.Report.Executions = this->Executions;
   execution.Report.CopyTo(this->Report);
   this->UsedSurfaces.clear();

@@ -239,11 +239,7 @@ int vtkVortexAxis::RequestData(
     }
     return 1;
   }
-  interlume::CellArrayConversion conversion(
-    this,
-    [this](vtkDataSet* data, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, data, association); },
-    3);
+  interlume::CellArrayConversion conversion(this, 3);
   const interlume::CellArrayConversion::Selection selection = conversion.Select(input);
   input = selection.Data;
   vtkDataArray* vectors = vtkDataArray::SafeDownCast(selection.Array);

@@ -124,11 +124,8 @@ int vtkIntervalVolume::RequestData(
   {
     names.push_back(criterion.ArrayName);
   }
-  interlume::ExtractionRun run(
-    this,
-    [this](vtkDataSet* input, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    names, this->UseValueIndex ? this->Index.GetPointer() : nullptr, this->GetSizeWarningLimit());
+  interlume::ExtractionRun run(this, names,
+    this->UseValueIndex ? this->Index.GetPointer() : nullptr, this->GetSizeWarningLimit());
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)

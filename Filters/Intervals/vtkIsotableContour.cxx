@@ -101,11 +101,7 @@ int vtkIsotableContour::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Index->BeginExecution();
-  interlume::ExtractionRun run(
-    this,
-    [this](vtkDataSet* input, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    {}, this->UseValueIndex ? this->Index.GetPointer() : nullptr);
+  interlume::ExtractionRun run(this, {}, this->UseValueIndex ? this->Index.GetPointer() : nullptr);
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->ExtractFrom(input, run, grids[0]); });

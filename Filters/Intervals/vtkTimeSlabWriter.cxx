@@ -111,11 +111,7 @@ int vtkTimeSlabWriter::RequestData(
 void vtkTimeSlabWriter::AddDigest(double time, vtkDataSet* step)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* scalars = CellArrayConversion::FindRequested(
-    this,
-    [this](vtkDataSet* input, int& of)
-    { return this->GetInputAbstractArrayToProcess(0, input, of); },
-    step, association);
+  vtkAbstractArray* scalars = CellArrayConversion::FindRequested(this, step, association);
   this->StepDigests[time] = GetDigest(step, scalars, association);
 }
 

@@ -185,10 +185,7 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
   }
   const interlume::TimeVaryingOptions options(*this, this->GetOutputPointsPrecision(), copiesSteps);
   this->Run = std::make_unique<interlume::TimeVaryingRun>(
-    this,
-    [this](vtkDataSet* input, int& association)
-    { return this->GetInputAbstractArrayToProcess(0, input, association); },
-    this->GetIntervals(), options, steps, this->GetTimes(steps), this->GetSizeWarningLimit());
+    this, this->GetIntervals(), options, steps, this->GetTimes(steps), this->GetSizeWarningLimit());
   return true;
 }
 
@@ -206,11 +203,9 @@ std::unique_ptr<interlume::SeriesEstimate> vtkTimeVaryingIntervalVolume::Estimat
   {
     return nullptr;
   }
-  const auto findArray = [this](vtkDataSet* input, int& association)
-  { return this->GetInputAbstractArrayToProcess(0, input, association); };
   const vtkTimeVaryingSettings& settings = *this;
   auto estimate = std::make_unique<interlume::SeriesEstimate>(
-    this, findArray, this->GetIntervals(), settings, this->GetTimes(steps));
+    this, this->GetIntervals(), settings, this->GetTimes(steps));
   int port = 0;
   vtkAlgorithm* source = this->GetInputAlgorithm(0, 0, port);
   const auto read = [this, source, port, first = steps.front()](int step)

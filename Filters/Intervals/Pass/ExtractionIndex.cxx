@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace interlume
 {
@@ -47,17 +48,16 @@ ExtractionIndex::~ExtractionIndex() = default;
 
 void ExtractionIndex::BeginExecution()
 {
-  const auto removeUnused = [this](auto& cached)
+  const auto removeUnused = [](auto& cached)
   {
     for (auto entry = cached.begin(); entry != cached.end();)
     {
-      entry = entry->second.LastUse < this->Execution ? cached.erase(entry) : std::next(entry);
+      entry = std::exchange(entry->second.IsUsed, false) ? std::next(entry) : cached.erase(entry);
     }
   };
   removeUnused(this->Known);
   removeUnused(this->LinearGrids);
-  CellArrayConversion::RemoveUnused(this->ConvertedArrays);
-  ++this->Execution;
+  removeUnused(this->ConvertedArrays);
 }
 
 ExtractionIndex::LinearGrid& ExtractionIndex::GetLinearGrid(vtkDataSet* input)
@@ -68,7 +68,7 @@ ExtractionIndex::LinearGrid& ExtractionIndex::GetLinearGrid(vtkDataSet* input)
     cached = LinearGrid();
     cached.InputTime = input->GetMTime();
   }
-  cached.LastUse = this->Execution;
+  cached.IsUsed = true;
   return cached;
 }
 
@@ -83,7 +83,6 @@ bool ExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int
   const vtkMTimeType cellTime = grid ? grid->GetCells()->GetMTime() : 0;
   Ranges& ranges = this->Known[scalars];
   this->Selected = &ranges;
-  ranges.LastUse = this->Execution;
   if (ranges.ScalarTime != scalars->GetMTime() || ranges.CellTime != cellTime ||
     ranges.Cells != this->Cells)
   {
@@ -91,9 +90,10 @@ bool ExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int
     ranges.ScalarTime = scalars->GetMTime();
     ranges.CellTime = cellTime;
     ranges.Cells = this->Cells;
-    ranges.LastUse = this->Execution;
+    ranges.IsUsed = true;
     return false;
   }
+  ranges.IsUsed = true;
   if (ranges.Blocks.empty())
   {
     ExtractionDispatch::Execute(scalars,

@@ -47,7 +47,7 @@ public:
     std::vector<vtkIdType> CellIds;
     vtkIdType NumberOfConcave = 0;
     vtkMTimeType InputTime = 0;
-    int LastUse = 0;
+    bool IsUsed = false;
   };
 
   /// Returns the cache entry of \a input. Its Grid is null if no grid is cached or the input has
@@ -103,7 +103,7 @@ private:
     vtkMTimeType ScalarTime = 0;
     vtkMTimeType CellTime = 0;
     std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };
-    int LastUse = 0;
+    bool IsUsed = false;
     std::vector<std::array<double, 2>> Blocks;
   };
 
@@ -117,7 +117,6 @@ private:
   std::map<vtkDataArray*, Ranges> Known;
   std::map<vtkDataSet*, LinearGrid> LinearGrids;
   CellArrayConversion::Cache ConvertedArrays;
-  int Execution = 0;
   Ranges* Selected = nullptr;
   std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };
   std::array<vtkIdType, 3> Blocks{ { 0, 0, 0 } };

@@ -12,10 +12,10 @@
 namespace interlume
 {
 
-ExtractionRun::ExtractionRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
-  const std::vector<std::string>& names, ExtractionIndex* index, vtkIdType sizeWarningLimit)
+ExtractionRun::ExtractionRun(vtkAlgorithm* owner, const std::vector<std::string>& names,
+  ExtractionIndex* index, vtkIdType sizeWarningLimit)
   : Owner(owner)
-  , Conversion(owner, findArray, 1, names, index ? &index->GetConvertedArrays() : nullptr)
+  , Conversion(owner, 1, names, index ? &index->GetConvertedArrays() : nullptr)
   , Size(owner, sizeWarningLimit)
 {
 }

@@ -34,8 +34,8 @@ public:
   /// \a names are one-component arrays that are needed in addition to the scalars. \a index caches
   /// converted cell arrays; null if there is none. \a sizeWarningLimit is a number of tetrahedra,
   /// or 0 for no warning.
-  ExtractionRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
-    const std::vector<std::string>& names, ExtractionIndex* index, vtkIdType sizeWarningLimit = 0);
+  ExtractionRun(vtkAlgorithm* owner, const std::vector<std::string>& names, ExtractionIndex* index,
+    vtkIdType sizeWarningLimit = 0);
 
   /// Returns the scalars of a dataset. If cell arrays are converted, sets \a input to a copy with
   /// the point arrays. Issues an error and returns null if the scalars are invalid or if \a

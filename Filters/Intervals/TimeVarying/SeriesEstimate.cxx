@@ -71,10 +71,10 @@ bool IsSkipped(const Blanking& blanking, vtkIdType cell, vtkIdList* ids)
 }
 }
 
-SeriesEstimate::SeriesEstimate(vtkAlgorithm* owner, const ArrayFinder& findArray,
+SeriesEstimate::SeriesEstimate(vtkAlgorithm* owner,
   const std::vector<vtkIntervalList::Interval>& intervals, const vtkTimeVaryingSettings& settings,
   const std::vector<double>& times)
-  : Conversion(owner, findArray, 1)
+  : Conversion(owner, 1)
   , Intervals(intervals)
   , Settings(GetTetrahedraSettings(settings))
   , Times(times)
@@ -270,9 +270,9 @@ double SeriesEstimate::CountTetrahedra(const Pair& slab) const
 {
   // Receives the progress.
   vtkNew<vtkAlgorithm> owner;
-  const auto find = [](vtkDataSet* grid, int&) -> vtkAbstractArray*
-  { return grid->GetPointData()->GetScalars(); };
-  TimeVaryingRun run(owner, find, this->Intervals,
+  owner->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  TimeVaryingRun run(owner, this->Intervals,
     TimeVaryingOptions(this->Settings, vtkAlgorithm::SINGLE_PRECISION, false), { 0, 1 },
     { this->Times[slab.First], this->Times[slab.Second] }, 0);
   for (const int step : { slab.First, slab.Second })

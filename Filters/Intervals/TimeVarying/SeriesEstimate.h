@@ -40,9 +40,8 @@ public:
 
   /// \a times are the times of all steps that may be used. Steps are counted from the first of
   /// them. \a owner is the filter whose array is processed.
-  SeriesEstimate(vtkAlgorithm* owner, const ArrayFinder& findArray,
-    const std::vector<vtkIntervalList::Interval>& intervals, const vtkTimeVaryingSettings& settings,
-    const std::vector<double>& times);
+  SeriesEstimate(vtkAlgorithm* owner, const std::vector<vtkIntervalList::Interval>& intervals,
+    const vtkTimeVaryingSettings& settings, const std::vector<double>& times);
 
   /// Reads the steps needed for slabs of the given distances, and estimates the sizes of these
   /// slabs. Returns false if a step cannot be read or differs from the others in its cells.

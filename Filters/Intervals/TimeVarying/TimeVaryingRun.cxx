@@ -28,11 +28,11 @@ namespace
 constexpr double ExtractionFraction = 0.7;
 }
 
-TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
+TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner,
   const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
   const std::vector<int>& steps, const std::vector<double>& times, vtkIdType sizeWarningLimit)
   : Owner(owner)
-  , Conversion(owner, findArray, 1)
+  , Conversion(owner, 1)
   , Intervals(intervals)
   , Values(ExtractionValues::ForIntervals(intervals))
   , Options(options)

@@ -42,9 +42,9 @@ public:
 
   /// Starts a run. \a steps are the indices of the steps to use, and \a times their times. \a
   /// sizeWarningLimit is a number of tetrahedra, or 0 for no warning.
-  TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
-    const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
-    const std::vector<int>& steps, const std::vector<double>& times, vtkIdType sizeWarningLimit);
+  TimeVaryingRun(vtkAlgorithm* owner, const std::vector<vtkIntervalList::Interval>& intervals,
+    const TimeVaryingOptions& options, const std::vector<int>& steps,
+    const std::vector<double>& times, vtkIdType sizeWarningLimit);
 
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
