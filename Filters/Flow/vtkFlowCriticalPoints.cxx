@@ -3,11 +3,9 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/CellArrayConversion.h"
-#include "Common/Error.h"
 #include "Common/ReportValue.h"
 #include "Fields/FieldVectors.h"
 #include "Numerics/RealEigenvalues.h"
-#include "Samples/OutputPiece.h"
 #include "Topology/ZeroSearch.h"
 
 #include "vtkCellArray.h"
@@ -109,12 +107,7 @@ const char* vtkFlowCriticalPoints::GetTypeName(int type)
 
 int vtkFlowCriticalPoints::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  for (const char* type :
-    { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid", "vtkUnstructuredGrid" })
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
+  interlume::FieldVectors::FillPortInformation(info);
   return 1;
 }
 
@@ -128,46 +121,23 @@ int vtkFlowCriticalPoints::RequestUpdateExtent(
 int vtkFlowCriticalPoints::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   SetReport(this->Report);
-  if (!input || input->GetNumberOfCells() == 0)
-  {
-    // An empty input is not an error, and one piece of several may have points only.
-    if (input && input->GetNumberOfPoints() > 0 &&
-      interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
-    {
-      vtkErrorMacro(
-        "The input has points but no cells. Pass a vtkDataSet with three-dimensional cells.");
-    }
-    return 1;
-  }
   interlume::CellArrayConversion conversion(this, 3);
-  const interlume::CellArrayConversion::Selection selection = conversion.Select(input);
-  input = selection.Data;
-  vtkDataArray* vectors = vtkDataArray::SafeDownCast(selection.Array);
-  if (const interlume::Error error =
-        interlume::FieldVectors::Check(selection, this->GetInputArrayInformation(0)))
+  const auto selection = interlume::FieldVectors::Select(this, conversion, inputs, outputs);
+  vtkDataSet* input = selection.Data;
+  if (!input)
   {
-    vtkErrorMacro(<< error);
     return 1;
   }
   this->SetProgressText("Searching cells for critical points");
   interlume::ZeroSearch search;
-  if (!search.Execute(this, input, vectors, VectorSystem()))
+  if (!search.Execute(this, input, vtkDataArray::SafeDownCast(selection.Array), VectorSystem()))
   {
     return interlume::AbortCheck::Leave(outputs);
   }
   const interlume::ZeroSearch::Counts& counts = search.GetCounts();
   SetReport(this->Report, counts, conversion.GetNames());
-  for (const std::string& skipped :
-    { search.DescribeFillValues(vectors->GetName()), search.DescribeNonFinite(vectors->GetName()) })
-  {
-    if (!skipped.empty())
-    {
-      vtkWarningMacro(<< skipped);
-    }
-  }
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

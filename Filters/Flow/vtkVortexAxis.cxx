@@ -7,7 +7,6 @@
 #include "Common/NamedValue.h"
 #include "Common/ReportValue.h"
 #include "Fields/FieldVectors.h"
-#include "Samples/OutputPiece.h"
 #include "Termination/CrossFlow.h"
 
 #include "vtkCellArray.h"
@@ -225,28 +224,18 @@ int vtkVortexAxis::RequestUpdateExtent(
 int vtkVortexAxis::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   SetReport(this->Report);
-  if (!input || input->GetNumberOfCells() == 0)
+  interlume::CellArrayConversion conversion(this, 3);
+  const auto selection = interlume::FieldVectors::Select(this, conversion, inputs, outputs);
+  vtkDataSet* input = selection.Data;
+  if (!input)
   {
-    // An empty input is not an error, nor is a piece of several that has points but no cells.
-    if (input && input->GetNumberOfPoints() > 0 &&
-      interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
-    {
-      vtkErrorMacro(
-        "The input has points but no cells. Pass a vtkDataSet with three-dimensional cells.");
-    }
     return 1;
   }
-  interlume::CellArrayConversion conversion(this, 3);
-  const interlume::CellArrayConversion::Selection selection = conversion.Select(input);
-  input = selection.Data;
-  vtkDataArray* vectors = vtkDataArray::SafeDownCast(selection.Array);
   for (const interlume::Error& error :
     { CheckVector("Axis", this->Axis, true), CheckVector("Seed", this->Seed, false),
-      CheckVector("FrameVelocity", this->FrameVelocity, false),
-      interlume::FieldVectors::Check(selection, this->GetInputArrayInformation(0)) })
+      CheckVector("FrameVelocity", this->FrameVelocity, false) })
   {
     if (error)
     {
@@ -258,17 +247,9 @@ int vtkVortexAxis::RequestData(
   interlume::CrossFlow flow(this->Axis, this->FrameVelocity);
   flow.PlacePlanes(input, this->NumberOfPlanes);
   interlume::ZeroSearch search;
-  if (!search.Execute(this, input, vectors, flow))
+  if (!search.Execute(this, input, vtkDataArray::SafeDownCast(selection.Array), flow))
   {
     return interlume::AbortCheck::Leave(outputs);
-  }
-  for (const std::string& skipped :
-    { search.DescribeFillValues(vectors->GetName()), search.DescribeNonFinite(vectors->GetName()) })
-  {
-    if (!skipped.empty())
-    {
-      vtkWarningMacro(<< skipped);
-    }
   }
   const Tracker tracker(flow, search.GetZeros(), this->MinimumSwirlStrength, this->SearchRadius);
   if (const Vortex* start =

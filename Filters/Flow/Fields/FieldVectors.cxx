@@ -15,7 +15,9 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <sstream>
 
@@ -61,6 +63,35 @@ void FieldVectors::FillPortInformation(vtkInformation* info)
 Error FieldVectors::Check(const CellArrayConversion::Selection& selection, vtkInformation* request)
 {
   return CheckVectors(selection, request).Then([&] { return CheckCells(selection.Data); });
+}
+
+CellArrayConversion::Selection FieldVectors::Select(vtkAlgorithm* owner,
+  CellArrayConversion& conversion, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  CellArrayConversion::Selection selection{ vtkDataSet::GetData(inputs[0]) };
+  Error error;
+  if (selection.Data && selection.Data->GetNumberOfCells() > 0)
+  {
+    selection = conversion.Select(selection.Data);
+    error = Check(selection, owner->GetInputArrayInformation(0));
+  }
+  else
+  {
+    // An empty input is not an error, and one piece of several may have points only.
+    const int pieces = outputs->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+    if (selection.Data && selection.Data->GetNumberOfPoints() > 0 && pieces <= 1)
+    {
+      error = "The input has points but no cells. Pass a vtkDataSet with three-dimensional cells.";
+    }
+    selection.Data = nullptr;
+  }
+  if (error)
+  {
+    vtkErrorWithObjectMacro(owner, << error);
+    selection.Data = nullptr;
+  }
+  return selection;
 }
 
 Error FieldVectors::CheckVectors(

@@ -7,7 +7,9 @@
 
 class vtkAbstractArray;
 class vtkDataSet;
+class vtkAlgorithm;
 class vtkInformation;
+class vtkInformationVector;
 
 namespace interlume
 {
@@ -28,6 +30,12 @@ public:
    * all cells may be flat. The array may be null; \a request describes the requested array.
    */
   static Error Check(const CellArrayConversion::Selection& selection, vtkInformation* request);
+
+  /// Selects the vectors of the dataset in \a inputs. Reports an error for \a owner if Check()
+  /// fails or the dataset has points but no cells. Returns no dataset then, and if the dataset is
+  /// empty.
+  static CellArrayConversion::Selection Select(vtkAlgorithm* owner, CellArrayConversion& conversion,
+    vtkInformationVector** inputs, vtkInformationVector* outputs);
 
   /// Checks only the array.
   static Error CheckVectors(

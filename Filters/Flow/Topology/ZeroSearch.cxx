@@ -21,6 +21,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace interlume
@@ -238,19 +239,19 @@ void ZeroSearch::Merge(const std::vector<unsigned char>& marks)
   this->Zeros = std::move(merged);
 }
 
-std::string ZeroSearch::DescribeFillValues(const char* array) const
+void ZeroSearch::Warn(vtkAlgorithm* owner, const char* array) const
 {
-  return this->Total.FillValueCells == 0
-    ? std::string()
-    : this->Fill.Describe(
-        array, std::to_string(this->Total.FillValueCells) + " cells with such points are skipped.");
-}
-
-std::string ZeroSearch::DescribeNonFinite(const char* array) const
-{
-  const vtkIdType cells = this->Total.NonFiniteCells;
-  return interlume::DescribeNonFinite(cells == 0 ? 0 : this->NonFinitePoints, array,
-    std::to_string(cells) + " cells with such points are skipped.");
+  const char* const effect = " cells with such points are skipped.";
+  if (this->Total.FillValueCells > 0)
+  {
+    vtkWarningWithObjectMacro(
+      owner, << this->Fill.Describe(array, std::to_string(this->Total.FillValueCells) + effect));
+  }
+  if (this->Total.NonFiniteCells > 0 && this->NonFinitePoints > 0)
+  {
+    vtkWarningWithObjectMacro(owner, << DescribeNonFinite(this->NonFinitePoints, array,
+                                       std::to_string(this->Total.NonFiniteCells) + effect));
+  }
 }
 
 bool ZeroSearch::Execute(
@@ -285,6 +286,7 @@ bool ZeroSearch::Execute(
     [](const Zero& a, const Zero& b)
     { return a.System != b.System ? a.System < b.System : a.Cell < b.Cell; });
   this->Merge(marks);
+  this->Warn(owner, vectors->GetName());
   return true;
 }
 

@@ -7,7 +7,6 @@
 
 #include "vtkType.h"
 
-#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -76,27 +75,20 @@ public:
 
   /**
    * Finds the zeros, sorted by system and cell; the result does not depend on the number of
-   * threads. The progress of \a owner advances from 0 to 1. Returns false if the execution was
-   * aborted.
+   * threads. The progress of \a owner advances from 0 to 1, and it warns about skipped cells.
+   * Returns false if the execution was aborted.
    */
   bool Execute(
     vtkAlgorithm* owner, vtkDataSet* data, vtkDataArray* vectors, const Systems& systems);
 
   const std::vector<Zero>& GetZeros() const { return this->Zeros; }
   const Counts& GetCounts() const { return this->Total; }
-  ///@{
-  /**
-   * Returns a warning if cells with fill values, or with non-finite vectors, were skipped,
-   * otherwise an empty string. \a array is the name of the vector array.
-   */
-  std::string DescribeFillValues(const char* array) const;
-  std::string DescribeNonFinite(const char* array) const;
-  ///@}
 
 private:
   class Worker;
 
   void Merge(const std::vector<unsigned char>& marks);
+  void Warn(vtkAlgorithm* owner, const char* array) const;
 
   std::vector<Zero> Zeros;
   Counts Total;
