@@ -136,6 +136,23 @@ void TestSizes(FlowTable& table)
     Draw(MakeFlowVoxels(33, &Uniform), inside, paint), MakeFlowReferenceImage(inside), 5e-3);
 }
 
+// A sample counts once, whichever of its values are not finite.
+void TestNonFiniteCount(FlowTable& table)
+{
+  vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(5, &Uniform);
+  voxels->GetPointData()->GetArray("TerminationUV")->SetComponent(7, 1, NotANumber);
+  voxels->GetPointData()->GetArray("AdvectionTime")->SetComponent(7, 0, NotANumber);
+  voxels->GetPointData()->GetArray("AdvectionTime")->SetComponent(8, 0, NotANumber);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkImplicitFlowVolumeMapper> mapper;
+  mapper->AddObserver(vtkCommand::WarningEvent, observer);
+  mapper->SetOpacityArray("AdvectionTime");
+  DrawFlow(mapper, voxels, MakeScene());
+  const vtkIdType count = mapper->GetReport()->GetCount("NonFiniteSamples");
+  table.Catalogue.Check("nan-count", "nan in several arrays", "two samples",
+    std::to_string(count) + " samples", count == 2);
+}
+
 void TestValues(FlowTable& table)
 {
   FlowScene scene = MakeScene();
@@ -173,6 +190,7 @@ void TestValues(FlowTable& table)
         observer->GetWarningMessage().find("not finite") != std::string::npos);
     }
   }
+  TestNonFiniteCount(table);
   FlowScene nothing = MakeScene();
   const auto none = [](const Position3&) { return FlowEnd{ false, -1, 0.0, 0.0, 0.0 }; };
   const RgbaImage empty = Draw(MakeFlowVoxels(9, none), nothing);

@@ -48,19 +48,24 @@ std::vector<float> MakeFloats(vtkDataArray* array)
   return values;
 }
 
-vtkIdType CountNonFinite(vtkDataArray* array)
+// Returns the number of samples with a non-finite coordinate, time or value in \a arrays.
+std::size_t CountNonFinite(const FlowGrid& grid, const std::array<vtkDataArray*, 2>& arrays)
 {
-  vtkIdType count = 0;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  std::vector<vtkIdType> samples = grid.NonFinite;
+  for (vtkDataArray* array : arrays)
   {
-    bool isFinite = true;
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    const int components = array ? array->GetNumberOfComponents() : 0;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples() * components; ++i)
     {
-      isFinite = isFinite && std::isfinite(array->GetComponent(i, c));
+      if (!std::isfinite(array->GetComponent(i / components, static_cast<int>(i % components))))
+      {
+        samples.push_back(i / components);
+      }
     }
-    count += isFinite ? 0 : 1;
   }
-  return count;
+  std::sort(samples.begin(), samples.end());
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
+  return samples.size();
 }
 
 void UpdateGrid(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures)
@@ -164,10 +169,11 @@ void UpdatePaints(FlowRenderFrame& pass, FlowRenderState& scene, FlowTextures& t
 void UpdateArrays(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures)
 {
   FlowVolumeRenderReport& report = pass.Report;
+  report.NonFiniteSamples = static_cast<vtkIdType>(
+    CountNonFinite(scene.Grid, { { pass.OpacityValues, pass.ShadingValues } }));
   std::vector<float> values;
   const auto updateArray = [&](const char* name, vtkDataArray* array)
   {
-    report.NonFiniteSamples += CountNonFinite(array);
     const std::array<int, 3>& size = scene.Grid.Size;
     textures.Update(
       name, std::string("The texture of array values `") + name + "`", true,

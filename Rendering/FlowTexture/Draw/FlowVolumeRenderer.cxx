@@ -143,7 +143,6 @@ Error FlowVolumeRenderer::Update(FlowRenderFrame& pass)
   report.UniformCells = this->Scene.Grid.UniformCells;
   report.SplitCells = this->Scene.Grid.SplitCells + this->Scene.Grid.SeamCells;
   report.EmptyCells = this->Scene.Grid.EmptyCells;
-  report.NonFiniteSamples = this->Scene.Grid.NonFinite;
   pass.Parts.IsSoftware = SoftwareOpenGL::IsUsed(pass.Window);
   pass.Parts.HasSplitCells = this->Scene.Grid.SplitCells > 0;
   pass.Parts.HasSeamCells = this->Scene.Grid.SeamCells > 0;

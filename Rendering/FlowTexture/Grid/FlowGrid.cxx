@@ -114,7 +114,7 @@ void FlowGrid::FindIds(const Arrays& arrays)
     const int id = static_cast<int>(Arrays::Get(arrays.Ids, i));
     if (!arrays.IsFinite(i))
     {
-      ++this->NonFinite;
+      this->NonFinite.push_back(i);
     }
     else if (ids.empty() || id != last)
     {

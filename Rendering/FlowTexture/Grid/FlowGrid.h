@@ -78,8 +78,8 @@ public:
   vtkIdType SeamCells = 0;
   vtkIdType SplitCells = 0;
   vtkIdType EmptyCells = 0;
-  /// Number of samples that reached a surface and whose coordinates or time are not finite.
-  vtkIdType NonFinite = 0;
+  /// Ids of samples that reached a surface and whose coordinates or time are not finite.
+  std::vector<vtkIdType> NonFinite;
 
 private:
   struct Arrays;
