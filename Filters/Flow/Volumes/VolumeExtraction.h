@@ -71,7 +71,7 @@ public:
 
   /// Name of the temporary cell array that passes the items of the first extraction to the second
   /// one.
-  static const char* ItemArray() { return "InflowItem"; }
+  static const char* ItemArray() { return "vtkFlowVolumeItem"; }
 
 private:
   /// Outputs of one extraction, with unwrapped parameters and cut cells.

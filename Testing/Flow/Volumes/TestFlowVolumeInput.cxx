@@ -169,7 +169,8 @@ void CheckArrays(Check& check)
   heat->SetName("Heat");
   heat->SetNumberOfValues(input->GetNumberOfPoints());
   vtkNew<vtkIntArray> zone;
-  zone->SetName("Zone");
+  // Versions before 0.9 dropped an array with this name.
+  zone->SetName("InflowItem");
   zone->SetNumberOfValues(input->GetNumberOfCells());
   for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
   {
@@ -202,7 +203,7 @@ void CheckArrays(Check& check)
     {
       check.That(!data->HasArray(name), std::string("no ") + name);
     }
-    for (const char* name : { "OriginCell", "InflowItem", "BoundarySide" })
+    for (const char* name : { "OriginCell", "vtkFlowVolumeItem", "BoundarySide" })
     {
       check.That(!output->GetCellData()->HasArray(name), std::string("no ") + name);
     }
@@ -213,7 +214,7 @@ void CheckArrays(Check& check)
         "array of the input", 1.0);
     }
   }
-  vtkDataArray* zones = volume->GetOutput()->GetCellData()->GetArray("Zone");
+  vtkDataArray* zones = volume->GetOutput()->GetCellData()->GetArray("InflowItem");
   check.That(zones && zones->GetRange()[1] > 100, "cell array of the input");
   vtkDataArray* inflow = volume->GetOutput(1)->GetCellData()->GetArray("Inflow");
   vtkDataArray* ids = volume->GetOutput(1)->GetCellData()->GetArray("StreamSurfaceId");
