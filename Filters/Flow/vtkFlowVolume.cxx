@@ -514,7 +514,8 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
       { "GenerateTimeSurfaces", this->GenerateTimeSurfaces },
       { "GenerateNormals", this->GenerateNormals },
       { "ParametersAsTextureCoordinates", this->ParametersAsTextureCoordinates },
-      { "OutputPointsPrecision", this->OutputPointsPrecision } });
+      { "OutputPointsPrecision", this->OutputPointsPrecision },
+      { "SizeWarningLimit", this->SizeWarningLimit } });
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -22,6 +22,7 @@ struct vtkFlowVolumeSettings
   bool GenerateNormals = false;
   bool ParametersAsTextureCoordinates = false;
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
+  vtkIdType SizeWarningLimit = 5000000;
 };
 
 #endif

@@ -19,6 +19,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <limits>
+#include <string>
 
 namespace interlume
 {
@@ -46,6 +47,15 @@ struct Progress
     {
       vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
     }
+  }
+
+  // Issues a warning of the inner filter, without its class, as a warning of the owner.
+  static void Warn(vtkObject*, unsigned long, void* client, void* data)
+  {
+    const std::string text = static_cast<const char*>(data);
+    const std::size_t end = text.find("): ");
+    vtkWarningWithObjectMacro(static_cast<const Progress*>(client)->Owner,
+      << text.substr(end == std::string::npos ? 0 : end + 3));
   }
 };
 
@@ -93,7 +103,6 @@ VolumeExtraction::VolumeExtraction()
   for (vtkIntervalVolume* filter : { this->ByInflow.Filter.Get(), this->ByTime.Filter.Get() })
   {
     filter->WarnOnEmptyOutputOff();
-    filter->SetSizeWarningLimit(0);
   }
 }
 
@@ -162,14 +171,21 @@ bool VolumeExtraction::Run(const Request& request, Result& result, vtkDataSet* i
   vtkIntervalVolume* filter = result.Filter;
   filter->SetInputDataObject(input);
   filter->SetOutputPointsPrecision(request.OutputPointsPrecision);
+  // The second extraction only divides and removes tetrahedra of the first.
+  filter->SetSizeWarningLimit(isFirst ? request.SizeWarningLimit : 0);
   levels.SetItems(filter);
   Progress progress{ request.Owner, start, end - start };
   vtkNew<vtkCallbackCommand> command;
   command->SetCallback(Progress::Forward);
   command->SetClientData(&progress);
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
+  vtkNew<vtkCallbackCommand> warning;
+  warning->SetCallback(Progress::Warn);
+  warning->SetClientData(&progress);
+  filter->AddObserver(vtkCommand::ProgressEvent, command);
+  filter->AddObserver(vtkCommand::WarningEvent, warning);
   filter->Update();
-  filter->RemoveObserver(tag);
+  filter->RemoveObserver(command);
+  filter->RemoveObserver(warning);
   if (filter->GetAbortExecute() || request.Owner->GetAbortExecute())
   {
     filter->SetAbortExecute(0);
