@@ -108,12 +108,11 @@ Error VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bo
   {
     error = prepare(this->SecondPass, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
   }
-  return error.Then(
-    [&]
-    {
-      return this->MarkPass.Prepare(
+  // Back to front, no pixels are marked.
+  return error || !this->Frame->Image->Plan.Sweeps[sweep].IsFrontToBack
+    ? error
+    : this->MarkPass.Prepare(
         window, SliceOcclusion::GetShaderSource(SliceOcclusion::OPACITY, 1), vertices);
-    });
 }
 
 void VolumeSlices::Add(vtkShaderProgram* program)
