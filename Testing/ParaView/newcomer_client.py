@@ -77,8 +77,9 @@ def play(gestures, folder, name, seconds, size="800x600"):
     shutil.rmtree(home, ignore_errors=True)
     os.makedirs(home, mode=0o700)
     plugin = os.environ["INTERLUME_PLUGIN"]
-    command = [os.environ["INTERLUME_CLIENT"], "--dr", "--plugins", "Interlume",
-               "--plugin-search-paths", os.path.dirname(plugin), "--test-script=" + script, "--exit"]
+    # With a space instead of =, ParaView 5.13 takes the directory for a file to open.
+    command = [os.environ["INTERLUME_CLIENT"], "--dr", "--plugins=Interlume",
+               "--plugin-search-paths=" + os.path.dirname(plugin), "--test-script=" + script, "--exit"]
     path = os.path.join(folder, name + ".log")
     with open(path, "w", encoding="utf-8") as log, display(size, home, subprocess.DEVNULL) as screen:
         environment = {**os.environ, "DISPLAY": screen, "HOME": home, "XDG_RUNTIME_DIR": home,
