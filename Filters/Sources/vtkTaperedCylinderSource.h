@@ -19,7 +19,8 @@
  *
  * The span is divided into three shedding cells, in which vortices are shed at a constant
  * frequency, as behind real tapered cylinders. The vortices are slanted. Between shedding cells,
- * vortex lines join or dislocate. The array is the density, which is below 1 in the vortices. See
+ * vortex lines join or dislocate. They reach both ends of the cylinder, where the data end, so the
+ * vortices have flat ends there. The array is the density, which is below 1 in the vortices. See
  * Documentation/methods/sources.md for the formulas.
  *
  * Defaults: array "density", 64 x 64 x 32 points. The interval 0.9934 to 0.9944, as in C. Zhang's
