@@ -428,41 +428,18 @@ inline void LookUpEach(
   }
 }
 
-void LookUpOne(
+template <int Number>
+void LookUp(
   float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
 {
   SimdDispatch::CallFused(
     [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
-    { LookUpEach<1>(scalars, extinctions, found, size, pieces); },
+    { LookUpEach<Number>(scalars, extinctions, found, size, pieces); },
     scalars, extinctions, found, size, pieces);
 }
 
-void LookUpTwo(
-  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
-{
-  SimdDispatch::CallFused(
-    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
-    { LookUpEach<2>(scalars, extinctions, found, size, pieces); },
-    scalars, extinctions, found, size, pieces);
-}
-
-void LookUpThree(
-  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
-{
-  SimdDispatch::CallFused(
-    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
-    { LookUpEach<3>(scalars, extinctions, found, size, pieces); },
-    scalars, extinctions, found, size, pieces);
-}
-
-void LookUpFour(
-  float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
-{
-  SimdDispatch::CallFused(
-    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
-    { LookUpEach<4>(scalars, extinctions, found, size, pieces); },
-    scalars, extinctions, found, size, pieces);
-}
+// The functions for one to four pieces.
+constexpr std::array LookUpUpToFour = { &LookUp<1>, &LookUp<2>, &LookUp<3>, &LookUp<4> };
 
 void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size,
   const PieceArrays& pieces, int number)
@@ -521,29 +498,17 @@ void FragmentIntegration::LookUpExtinction(
     float* scalars = f.Scalar[end].data();
     float* extinctions = f.Extinction[end].data();
     std::int32_t* found = f.Pieces[end].data();
-    switch (number)
+    if (number <= static_cast<int>(LookUpUpToFour.size()))
     {
-      case 1:
-        LookUpOne(scalars, extinctions, found, f.Size, arrays);
-        break;
-      case 2:
-        LookUpTwo(scalars, extinctions, found, f.Size, arrays);
-        break;
-      case 3:
-        LookUpThree(scalars, extinctions, found, f.Size, arrays);
-        break;
-      case 4:
-        LookUpFour(scalars, extinctions, found, f.Size, arrays);
-        break;
-      default:
-        if (number <= FEW)
-        {
-          LookUpFew(scalars, extinctions, found, f.Size, arrays, number);
-        }
-        else
-        {
-          LookUpMany(scalars, extinctions, found, f.Size, pieces);
-        }
+      LookUpUpToFour[number - 1](scalars, extinctions, found, f.Size, arrays);
+    }
+    else if (number <= FEW)
+    {
+      LookUpFew(scalars, extinctions, found, f.Size, arrays, number);
+    }
+    else
+    {
+      LookUpMany(scalars, extinctions, found, f.Size, pieces);
     }
   }
   f.NumberOfSplits = 0;
