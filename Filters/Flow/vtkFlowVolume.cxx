@@ -8,6 +8,7 @@
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
 #include "Common/NamedValue.h"
+#include "Common/ParallelFor.h"
 #include "Samples/FarSideSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/OutputPiece.h"
@@ -31,7 +32,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -75,14 +75,8 @@ void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, con
 {
   const vtkIdType number = mesh->GetNumberOfCells();
   const auto ids = MakeIds(name, items, number);
-  vtkSMPTools::For(0, number,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType cell = first; cell < last; ++cell)
-      {
-        ids->SetValue(cell, get(items ? items->GetValue(cell) : 0));
-      }
-    });
+  interlume::ParallelFor(0, number,
+    [&](vtkIdType cell) { ids->SetValue(cell, get(items ? items->GetValue(cell) : 0)); });
   mesh->GetCellData()->AddArray(ids);
 }
 
@@ -99,14 +93,8 @@ void RestorePointArrays(vtkUnstructuredGrid* mesh)
   vtkNew<vtkIntArray> ids;
   ids->SetName(vtkFlowStatus::IdArray());
   ids->SetNumberOfValues(number);
-  vtkSMPTools::For(0, before ? number : 0,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        ids->SetValue(p, static_cast<int>(before->GetComponent(p, 0)));
-      }
-    });
+  interlume::ParallelFor(0, before ? number : 0,
+    [&](vtkIdType p) { ids->SetValue(p, static_cast<int>(before->GetComponent(p, 0))); });
   mesh->GetPointData()->AddArray(ids);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/CellTree.h"
 
+#include "Common/ParallelFor.h"
+
 #include "vtkSMPTools.h"
 
 #include <cfloat>
@@ -90,21 +92,18 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite
   const vtkIdType parts = (numberOfCells + part - 1) / part;
   std::vector<Box> boxes(numberOfCells);
   std::vector<Box> unions(parts);
-  vtkSMPTools::For(0, parts,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, parts,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = first; i < last; ++i)
+      unions[i].Clear();
+      for (vtkIdType cell = i * part; cell < std::min((i + 1) * part, numberOfCells); ++cell)
       {
-        unions[i].Clear();
-        for (vtkIdType cell = i * part; cell < std::min((i + 1) * part, numberOfCells); ++cell)
+        Box& box = boxes[cell];
+        if (!getBox(cell, box.Bounds))
         {
-          Box& box = boxes[cell];
-          if (!getBox(cell, box.Bounds))
-          {
-            box.Clear();
-          }
-          unions[i].Add(box.Bounds);
+          box.Clear();
         }
+        unions[i].Add(box.Bounds);
       }
     });
   this->All.Clear();
@@ -119,14 +118,11 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite
 
   constexpr std::uint64_t none = ~std::uint64_t(0);
   std::vector<std::pair<std::uint64_t, vtkIdType>> order(numberOfCells);
-  vtkSMPTools::For(0, numberOfCells,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, numberOfCells,
+    [&](vtkIdType cell)
     {
-      for (vtkIdType cell = first; cell < last; ++cell)
-      {
-        const double* box = boxes[cell].Bounds;
-        order[cell] = { box[0] <= box[1] ? this->GetOrder(box) : none, cell };
-      }
+      const double* box = boxes[cell].Bounds;
+      order[cell] = { box[0] <= box[1] ? this->GetOrder(box) : none, cell };
     });
   vtkSMPTools::Sort(order.begin(), order.end());
   while (!order.empty() && order.back().first == none)
@@ -140,17 +136,14 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite
   const auto addLevel = [this](std::size_t children, int number, auto&& addChild)
   {
     std::vector<Box> level((children + number - 1) / number);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(level.size()),
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, static_cast<vtkIdType>(level.size()),
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = first; i < last; ++i)
+        const std::size_t begin = static_cast<std::size_t>(i) * number;
+        level[i].Clear();
+        for (std::size_t child = begin; child < std::min(begin + number, children); ++child)
         {
-          const std::size_t begin = static_cast<std::size_t>(i) * number;
-          level[i].Clear();
-          for (std::size_t child = begin; child < std::min(begin + number, children); ++child)
-          {
-            addChild(child, level[i]);
-          }
+          addChild(child, level[i]);
         }
       });
     this->Levels.push_back(std::move(level));

@@ -2,6 +2,7 @@
 #include "Fields/FaceLinks.h"
 
 #include "Cells/FaceExtent.h"
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
 #include "Fields/FaceRotation.h"
 
@@ -108,14 +109,11 @@ void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
       }
       entries[ends[ordered[0]].fetch_add(1, std::memory_order_relaxed)] = entry;
     });
-  vtkSMPTools::For(0, numberOfPoints,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, numberOfPoints,
+    [&](vtkIdType point)
     {
-      for (vtkIdType point = first; point < last; ++point)
-      {
-        const vtkIdType begin = point > 0 ? ends[point - 1].load() : 0;
-        SetLinks(entries.data() + begin, entries.data() + ends[point], setLink);
-      }
+      const vtkIdType begin = point > 0 ? ends[point - 1].load() : 0;
+      SetLinks(entries.data() + begin, entries.data() + ends[point], setLink);
     });
 }
 
@@ -154,14 +152,7 @@ public:
     , Positions(positions)
     , Locations(number)
   {
-    vtkSMPTools::For(0, number,
-      [this](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType face = first; face < last; ++face)
-        {
-          this->SetLocation(face);
-        }
-      });
+    ParallelFor(0, number, [this](vtkIdType face) { this->SetLocation(face); });
     vtkSMPTools::Sort(this->Locations.begin(), this->Locations.end());
   }
 
@@ -169,14 +160,7 @@ public:
   {
     const auto number = static_cast<vtkIdType>(this->Locations.size());
     std::vector<Partner> partners(number);
-    vtkSMPTools::For(0, number,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          partners[i] = this->FindPartner(i);
-        }
-      });
+    ParallelFor(0, number, [&](vtkIdType i) { partners[i] = this->FindPartner(i); });
     FaceLinks::MatchGaps gaps;
     for (vtkIdType i = 0; i < number; ++i)
     {

@@ -3,10 +3,10 @@
 #define interlume_NonconformingInterfaces_h
 
 #include "Cells/InterpolatedCell.h"
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
 
 #include "vtkMath.h"
-#include "vtkSMPTools.h"
 
 #include <atomic>
 #include <cfloat>
@@ -36,20 +36,17 @@ struct NonconformingInterfaces
     const std::vector<vtkIdType> faces = field.GetOuterFaces();
     std::atomic<vtkIdType> number(0);
     std::atomic<vtkIdType> firstIndex(VTK_ID_MAX);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(faces.size()),
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, static_cast<vtkIdType>(faces.size()),
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = first; i < last; ++i)
+        const vtkIdType face = faces[static_cast<std::size_t>(i)];
+        double x[3];
+        if (GetPositionOutside(field, face, x) && HasCell(field, face / 8, x))
         {
-          const vtkIdType face = faces[static_cast<std::size_t>(i)];
-          double x[3];
-          if (GetPositionOutside(field, face, x) && HasCell(field, face / 8, x))
+          ++number;
+          vtkIdType known = firstIndex;
+          while (i < known && !firstIndex.compare_exchange_weak(known, i))
           {
-            ++number;
-            vtkIdType known = firstIndex;
-            while (i < known && !firstIndex.compare_exchange_weak(known, i))
-            {
-            }
           }
         }
       });

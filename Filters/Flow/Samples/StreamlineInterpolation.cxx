@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/StreamlineInterpolation.h"
 
+#include "Common/ParallelFor.h"
+
 #include "vtkFlowStatus.h"
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
@@ -229,14 +230,8 @@ void StreamlineInterpolation::SetStride(int stride)
 template <typename Visit>
 void StreamlineInterpolation::VisitBlocks(Visit&& visit) const
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Marks.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType block = begin; block < end; ++block)
-      {
-        visit(static_cast<std::size_t>(block));
-      }
-    });
+  ParallelFor(0, static_cast<vtkIdType>(this->Marks.size()),
+    [&](vtkIdType block) { visit(static_cast<std::size_t>(block)); });
 }
 
 template <typename Visit>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/LevelSetNormals.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
 #include "Volumes/SimplexPoints.h"
 
@@ -8,7 +9,6 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -112,23 +112,20 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
     return x;
   };
   std::vector<glm::dvec3> normals(around.Points.size(), glm::dvec3{});
-  vtkSMPTools::For(0, static_cast<vtkIdType>(normals.size()),
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(normals.size()),
+    [&](vtkIdType index)
     {
-      for (vtkIdType index = first; index < last; ++index)
+      for (vtkIdType i = around.Firsts[index]; i < around.Firsts[index + 1]; ++i)
       {
-        for (vtkIdType i = around.Firsts[index]; i < around.Firsts[index + 1]; ++i)
+        glm::dvec3 corners[4];
+        double values[4];
+        for (int corner = 0; corner < 4; ++corner)
         {
-          glm::dvec3 corners[4];
-          double values[4];
-          for (int corner = 0; corner < 4; ++corner)
-          {
-            const vtkIdType p = around.Simplices.Get(around.Tetrahedra[i], corner);
-            corners[corner] = getPoint(p);
-            values[corner] = function->GetComponent(p, 0);
-          }
-          normals[index] -= GetWeightedGradient(corners, values);
+          const vtkIdType p = around.Simplices.Get(around.Tetrahedra[i], corner);
+          corners[corner] = getPoint(p);
+          values[corner] = function->GetComponent(p, 0);
         }
+        normals[index] -= GetWeightedGradient(corners, values);
       }
     });
   const auto isZero = [](const glm::dvec3& vector) { return glm::length(vector) == 0.0; };

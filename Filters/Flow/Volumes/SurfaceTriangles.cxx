@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/SurfaceTriangles.h"
 
+#include "Common/ParallelFor.h"
 #include "Volumes/SimplexPoints.h"
 #include "Volumes/SurfaceLevels.h"
 #include "Volumes/TriangleIndex.h"
@@ -10,7 +11,6 @@
 #include "vtkIntArray.h"
 #include "vtkIntervalVolume.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -162,22 +162,19 @@ std::vector<vtkIdType> SurfaceTriangles::FindOwners(vtkUnstructuredGrid* before)
         }
       });
   };
-  vtkSMPTools::For(0, tetrahedra.GetNumber(),
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, tetrahedra.GetNumber(),
+    [&](vtkIdType cell)
     {
-      for (vtkIdType cell = first; cell < last; ++cell)
+      int outside = 0;
+      for (int corner = 0; corner < 4; ++corner)
       {
-        int outside = 0;
-        for (int corner = 0; corner < 4; ++corner)
+        outside += isOnSurface[tetrahedra.Get(cell, corner)] ? 0 : 1;
+      }
+      for (int out = 0; outside < 2 && out < 4; ++out)
+      {
+        if (outside == 0 || !isOnSurface[tetrahedra.Get(cell, out)])
         {
-          outside += isOnSurface[tetrahedra.Get(cell, corner)] ? 0 : 1;
-        }
-        for (int out = 0; outside < 2 && out < 4; ++out)
-        {
-          if (outside == 0 || !isOnSurface[tetrahedra.Get(cell, out)])
-          {
-            addFace(cell, GetFace(tetrahedra, cell, out));
-          }
+          addFace(cell, GetFace(tetrahedra, cell, out));
         }
       }
     });
@@ -242,14 +239,8 @@ void SurfaceTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
     }
   };
   std::vector<vtkIdType> offsets(number + 1, 0);
-  vtkSMPTools::For(0, number,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType t = first; t < last; ++t)
-      {
-        forEachPart(t, [&](const Triangle&) { ++offsets[t]; });
-      }
-    });
+  ParallelFor(
+    0, number, [&](vtkIdType t) { forEachPart(t, [&](const Triangle&) { ++offsets[t]; }); });
   vtkIdType sum = 0;
   for (vtkIdType& offset : offsets)
   {
@@ -257,20 +248,17 @@ void SurfaceTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
   }
   std::vector<Triangle> parts(sum);
   std::vector<int> surfaces(sum);
-  vtkSMPTools::For(0, number,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, number,
+    [&](vtkIdType t)
     {
-      for (vtkIdType t = first; t < last; ++t)
-      {
-        vtkIdType offset = offsets[t];
-        forEachPart(t,
-          [&](const Triangle& part)
-          {
-            parts[offset] = part;
-            surfaces[offset] = this->Surfaces[t];
-            ++offset;
-          });
-      }
+      vtkIdType offset = offsets[t];
+      forEachPart(t,
+        [&](const Triangle& part)
+        {
+          parts[offset] = part;
+          surfaces[offset] = this->Surfaces[t];
+          ++offset;
+        });
     });
   this->Triangles = std::move(parts);
   this->Surfaces = std::move(surfaces);

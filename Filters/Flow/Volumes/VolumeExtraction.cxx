@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/VolumeExtraction.h"
 
+#include "Common/ParallelFor.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Volumes/FlowVolumeReport.h"
 #include "Volumes/ParameterSeams.h"
@@ -14,7 +15,6 @@
 #include "vtkIntervalVolume.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -134,16 +134,13 @@ bool VolumeExtraction::Prepare(const Request& request, FlowVolumeReport& report)
       vtkNew<vtkUnsignedCharArray> ghosts;
       ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
       ghosts->SetNumberOfValues(this->Cells.GetNumberOfCells());
-      vtkSMPTools::For(0, this->Cells.GetNumberOfCells(),
-        [&](vtkIdType first, vtkIdType last)
+      ParallelFor(0, this->Cells.GetNumberOfCells(),
+        [&](vtkIdType cell)
         {
-          for (vtkIdType cell = first; cell < last; ++cell)
-          {
-            const bool isHidden = this->Cells.GetKind(cell) & InterpolableCells::EXCLUDED;
-            const int own = isHidden ? vtkDataSetAttributes::HIDDENCELL : 0;
-            ghosts->SetValue(
-              cell, static_cast<unsigned char>(own | (before ? before->GetValue(cell) : 0)));
-          }
+          const bool isHidden = this->Cells.GetKind(cell) & InterpolableCells::EXCLUDED;
+          const int own = isHidden ? vtkDataSetAttributes::HIDDENCELL : 0;
+          ghosts->SetValue(
+            cell, static_cast<unsigned char>(own | (before ? before->GetValue(cell) : 0)));
         });
       this->Prepared->GetCellData()->AddArray(ghosts);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays/ExtractionArrays.h"
 
+#include "Common/ParallelFor.h"
 #include "Output/OutputAllocation.h"
 #include "Output/ThreadGrain.h"
 
@@ -13,7 +14,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
 #include <cstring>
@@ -80,15 +80,12 @@ private:
     const auto from = vtk::DataArrayValueRange(in);
     auto to = vtk::DataArrayValueRange(out);
     const vtkIdType components = Known ? Known : in->GetNumberOfComponents();
-    vtkSMPTools::For(0, this->Number, ThreadGrain,
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, this->Number, ThreadGrain,
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = first; i < last; ++i)
+        for (vtkIdType c = 0; c < (Known ? Known : components); ++c)
         {
-          for (vtkIdType c = 0; c < (Known ? Known : components); ++c)
-          {
-            to[i * components + c] = from[this->Cells[i] * components + c];
-          }
+          to[i * components + c] = from[this->Cells[i] * components + c];
         }
       });
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/InteriorCellFilter.h"
 
+#include "Common/ParallelFor.h"
+
 #include "vtkDataArray.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -13,15 +14,12 @@ void InteriorCellPass::ExcludePointsOutside(vtkDataArray* array, double lower, d
 {
   const vtkIdType number = array->GetNumberOfTuples();
   this->Points.resize(number, 1);
-  vtkSMPTools::For(0, number,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, number,
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        const double value = array->GetComponent(p, 0);
-        // Both comparisons are false for NaN.
-        this->Points[p] &= static_cast<unsigned char>(value >= lower && value <= upper);
-      }
+      const double value = array->GetComponent(p, 0);
+      // Both comparisons are false for NaN.
+      this->Points[p] &= static_cast<unsigned char>(value >= lower && value <= upper);
     });
 }
 

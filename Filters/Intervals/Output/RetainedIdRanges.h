@@ -2,6 +2,8 @@
 #ifndef interlume_RetainedIdRanges_h
 #define interlume_RetainedIdRanges_h
 
+#include "Common/ParallelFor.h"
+
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
@@ -64,18 +66,15 @@ public:
   void Compact(T* values, vtkIdType size, vtkIdType parts) const
   {
     std::vector<Part<T>> all(parts);
-    vtkSMPTools::For(0, parts,
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, parts,
+      [&](vtkIdType p)
       {
-        for (vtkIdType p = first; p < last; ++p)
-        {
-          Part<T>& part = all[p];
-          part.First = this->Number * p / parts;
-          part.Last = this->Number * (p + 1) / parts;
-          part.BufferBegin = std::clamp(this->CountBefore(part.Last), part.First, part.Last);
-          part.Buffer.resize((part.Last - part.BufferBegin) * size);
-          this->Copy(values, size, part.BufferBegin, part.Last, part.Buffer.data());
-        }
+        Part<T>& part = all[p];
+        part.First = this->Number * p / parts;
+        part.Last = this->Number * (p + 1) / parts;
+        part.BufferBegin = std::clamp(this->CountBefore(part.Last), part.First, part.Last);
+        part.Buffer.resize((part.Last - part.BufferBegin) * size);
+        this->Copy(values, size, part.BufferBegin, part.Last, part.Buffer.data());
       });
     vtkSMPTools::For(0, parts,
       [&](vtkIdType first, vtkIdType last)
@@ -95,16 +94,13 @@ public:
   template <typename Id>
   void FillIds(Id* ids) const
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Runs.size()),
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, static_cast<vtkIdType>(this->Runs.size()),
+      [&](vtkIdType r)
       {
-        for (vtkIdType r = first; r < last; ++r)
+        const Run& run = this->Runs[r];
+        for (vtkIdType i = run.First; i < run.Last; ++i)
         {
-          const Run& run = this->Runs[r];
-          for (vtkIdType i = run.First; i < run.Last; ++i)
-          {
-            ids[i] = static_cast<Id>(run.NewFirst + i - run.First);
-          }
+          ids[i] = static_cast<Id>(run.NewFirst + i - run.First);
         }
       });
   }

@@ -2,6 +2,7 @@
 #ifndef interlume_SimplexList_h
 #define interlume_SimplexList_h
 
+#include "Common/ParallelFor.h"
 #include "Output/ExtractionBuffer.h"
 #include "Output/StridedIdBlock.h"
 #include "Output/RetainedIdRanges.h"
@@ -192,14 +193,8 @@ public:
     this->Visit(
       [this](auto* values)
       {
-        vtkSMPTools::For(0, this->Number * this->Size, ThreadGrain,
-          [values](vtkIdType first, vtkIdType last)
-          {
-            for (vtkIdType at = first; at < last; ++at)
-            {
-              Set(values[at], at);
-            }
-          });
+        ParallelFor(0, this->Number * this->Size, ThreadGrain,
+          [values](vtkIdType at) { Set(values[at], at); });
       });
   }
 
@@ -287,14 +282,8 @@ public:
         ExtractionBuffer<std::decay_t<decltype(*values)>> newIds;
         newIds.Allocate(numberOfPoints);
         retained.FillIds(newIds.GetData());
-        vtkSMPTools::For(0, this->GetNumberOfIds(), ThreadGrain,
-          [values, ids = newIds.GetData()](vtkIdType first, vtkIdType last)
-          {
-            for (vtkIdType i = first; i < last; ++i)
-            {
-              values[i] = ids[values[i]];
-            }
-          });
+        ParallelFor(0, this->GetNumberOfIds(), ThreadGrain,
+          [values, ids = newIds.GetData()](vtkIdType i) { values[i] = ids[values[i]]; });
       });
   }
 

@@ -2,6 +2,7 @@
 #include "Pass/ExtractionCleanup.h"
 
 #include "Arrays/PointArrays.h"
+#include "Common/ParallelFor.h"
 #include "Grid/InteriorCellFilter.h"
 #include "Output/OppositePairs.h"
 #include "Pass/InteriorFaces.h"
@@ -148,14 +149,8 @@ void ExtractionCleanup::SplitPoints(ExtractionMesh& mesh)
   const vtkIdType triangles = mesh.Simplices.GetNumber();
   ExtractionBuffer<ExtractionPoint> corners;
   corners.Allocate(3 * triangles);
-  vtkSMPTools::For(0, 3 * triangles,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType corner = first; corner < last; ++corner)
-      {
-        corners[corner] = mesh.Points[mesh.Simplices.GetIdAt(corner)];
-      }
-    });
+  ParallelFor(0, 3 * triangles,
+    [&](vtkIdType corner) { corners[corner] = mesh.Points[mesh.Simplices.GetIdAt(corner)]; });
   mesh.Points = std::move(corners);
   mesh.Simplices.Allocate(triangles, 3, 3 * triangles);
   mesh.Simplices.NumberConsecutively();
@@ -253,22 +248,19 @@ void ExtractionCleanup::RemoveMarked(
 
 void ExtractionCleanup::CountFaces(const ExtractionMesh& mesh, TiedFaces<3>& faces)
 {
-  vtkSMPTools::For(0, faces.IsEmpty() ? 0 : mesh.Simplices.GetNumber(),
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, faces.IsEmpty() ? 0 : mesh.Simplices.GetNumber(),
+    [&](vtkIdType simplex)
     {
-      for (vtkIdType simplex = first; simplex < last; ++simplex)
+      vtkIdType ids[4];
+      for (int p = 0; p < 4; ++p)
       {
-        vtkIdType ids[4];
-        for (int p = 0; p < 4; ++p)
-        {
-          ids[p] = mesh.Simplices.GetId(simplex, p);
-        }
-        for (int f = 0; f < 4 && faces.IsNear(ids, 4); ++f)
-        {
-          const int* face = FacesOutward[f];
-          const Triple points{ { ids[face[0]], ids[face[1]], ids[face[2]] } };
-          faces.Count(mesh.ItemIds->GetValue(simplex), points.data(), simplex);
-        }
+        ids[p] = mesh.Simplices.GetId(simplex, p);
+      }
+      for (int f = 0; f < 4 && faces.IsNear(ids, 4); ++f)
+      {
+        const int* face = FacesOutward[f];
+        const Triple points{ { ids[face[0]], ids[face[1]], ids[face[2]] } };
+        faces.Count(mesh.ItemIds->GetValue(simplex), points.data(), simplex);
       }
     });
 }

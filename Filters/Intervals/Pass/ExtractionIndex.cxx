@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pass/ExtractionIndex.h"
 
+#include "Common/ParallelFor.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionValues.h"
 
@@ -119,33 +120,30 @@ void ExtractionIndex::BuildStructured(const T* scalars, Ranges& ranges) const
   const vtkIdType nx = this->Cells[0] + 1;
   const vtkIdType ny = this->Cells[1] + 1;
   ranges.Blocks.resize(this->Blocks[0] * this->Blocks[1] * this->Blocks[2]);
-  vtkSMPTools::For(0, this->Blocks[1] * this->Blocks[2],
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, this->Blocks[1] * this->Blocks[2],
+    [&](vtkIdType row)
     {
-      for (vtkIdType row = first; row < last; ++row)
+      const vtkIdType j0 = (row % this->Blocks[1]) * BlockSize[1];
+      const vtkIdType k0 = (row / this->Blocks[1]) * BlockSize[2];
+      const vtkIdType j1 = std::min(j0 + BlockSize[1], this->Cells[1]);
+      const vtkIdType k1 = std::min(k0 + BlockSize[2], this->Cells[2]);
+      for (vtkIdType block = 0; block < this->Blocks[0]; ++block)
       {
-        const vtkIdType j0 = (row % this->Blocks[1]) * BlockSize[1];
-        const vtkIdType k0 = (row / this->Blocks[1]) * BlockSize[2];
-        const vtkIdType j1 = std::min(j0 + BlockSize[1], this->Cells[1]);
-        const vtkIdType k1 = std::min(k0 + BlockSize[2], this->Cells[2]);
-        for (vtkIdType block = 0; block < this->Blocks[0]; ++block)
+        const vtkIdType i0 = block * BlockSize[0];
+        const vtkIdType i1 = std::min(i0 + BlockSize[0], this->Cells[0]);
+        std::array<double, 2> range{ { Infinity, -Infinity } };
+        for (vtkIdType k = k0; k <= k1; ++k)
         {
-          const vtkIdType i0 = block * BlockSize[0];
-          const vtkIdType i1 = std::min(i0 + BlockSize[0], this->Cells[0]);
-          std::array<double, 2> range{ { Infinity, -Infinity } };
-          for (vtkIdType k = k0; k <= k1; ++k)
+          for (vtkIdType j = j0; j <= j1; ++j)
           {
-            for (vtkIdType j = j0; j <= j1; ++j)
+            const T* values = scalars + (j + k * ny) * nx;
+            for (vtkIdType i = i0; i <= i1; ++i)
             {
-              const T* values = scalars + (j + k * ny) * nx;
-              for (vtkIdType i = i0; i <= i1; ++i)
-              {
-                Extend(range, values[i]);
-              }
+              Extend(range, values[i]);
             }
           }
-          ranges.Blocks[row * this->Blocks[0] + block] = range;
         }
+        ranges.Blocks[row * this->Blocks[0] + block] = range;
       }
     });
 }

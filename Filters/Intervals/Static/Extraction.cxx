@@ -5,6 +5,7 @@
 #include "Arrays/PointArrays.h"
 #include "Common/ArrayMatch.h"
 #include "Common/GridCells.h"
+#include "Common/ParallelFor.h"
 #include "Grid/InteriorCellFilter.h"
 #include "Output/SizeWarning.h"
 #include "Pass/ExtractionCleanup.h"
@@ -57,15 +58,12 @@ void AddPointOrigins(const ExtractionBuffer<ExtractionPoint>& points, vtkPointDa
   ends->SetNumberOfTuples(number);
   vtkNew<vtkDoubleArray> weights;
   weights->SetNumberOfValues(number);
-  vtkSMPTools::For(0, number,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, number,
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        ends->SetValue(2 * p, points[p].Near);
-        ends->SetValue(2 * p + 1, points[p].Far);
-        weights->SetValue(p, points[p].Near == points[p].Far ? 0.0 : points[p].Weight);
-      }
+      ends->SetValue(2 * p, points[p].Near);
+      ends->SetValue(2 * p + 1, points[p].Far);
+      weights->SetValue(p, points[p].Near == points[p].Far ? 0.0 : points[p].Weight);
     });
   AddNamed(output, ends, "OriginPoints");
   AddNamed(output, weights, "OriginWeight");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/ProjectedTetrahedra.h"
 
+#include "Common/ParallelFor.h"
 #include "TimeVarying/TimeVaryingReport.h"
 #include "Arrays/ExtractionArrays.h"
 #include "TimeVarying/OutputCellArrays.h"
@@ -227,16 +228,13 @@ void ProjectedTetrahedra::AllocatePoints()
 template <typename Value>
 void ProjectedTetrahedra::CopyPoints(Value* values)
 {
-  vtkSMPTools::For(0, this->BasePoints, ThreadGrain,
-    [this, values](vtkIdType first, vtkIdType last)
+  ParallelFor(0, this->BasePoints, ThreadGrain,
+    [this, values](vtkIdType p)
     {
-      for (vtkIdType p = first; p < last; ++p)
+      const SimplexProjection::Point x = this->Mesh.GetProjected(p);
+      for (int axis = 0; axis < 3; ++axis)
       {
-        const SimplexProjection::Point x = this->Mesh.GetProjected(p);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          values[3 * p + axis] = static_cast<Value>(x[axis]);
-        }
+        values[3 * p + axis] = static_cast<Value>(x[axis]);
       }
     });
 }

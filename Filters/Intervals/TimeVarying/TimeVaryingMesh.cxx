@@ -4,6 +4,7 @@
 #include "Arrays/ExtractionArrays.h"
 #include "Arrays/PointArrays.h"
 #include "Common/ArrayMatch.h"
+#include "Common/ParallelFor.h"
 #include "Output/RetainedIdRanges.h"
 #include "Output/TiedFaces.h"
 #include "TimeVarying/TimeStep.h"
@@ -34,13 +35,9 @@ PointList Fold(const PointList& points, vtkIdType split)
   const auto fold = [split](vtkIdType id) { return id < split ? id : id - split; };
   PointList folded;
   folded.Allocate(points.GetSize());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        folded[p] = { fold(points[p].Near), fold(points[p].Far), points[p].Weight };
-      }
+  ParallelFor(0, static_cast<vtkIdType>(points.GetSize()),
+    [&](vtkIdType p) {
+      folded[p] = { fold(points[p].Near), fold(points[p].Far), points[p].Weight };
     });
   return folded;
 }
@@ -52,21 +49,18 @@ void InterpolatePoints(
   const vtkIdType split = first->GetNumberOfPoints();
   const auto getPoint = [&](vtkIdType id, double x[3])
   { id < split ? first->GetPoint(id, x) : second->GetPoint(id - split, x); };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelFor(0, static_cast<vtkIdType>(points.GetSize()),
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = begin; p < end; ++p)
+      double near[3];
+      double far[3];
+      getPoint(points[p].Near, near);
+      getPoint(points[p].Far, far);
+      for (int axis = 0; axis < 3; ++axis)
       {
-        double near[3];
-        double far[3];
-        getPoint(points[p].Near, near);
-        getPoint(points[p].Far, far);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          near[axis] += points[p].Weight * (far[axis] - near[axis]);
-        }
-        positions->SetPoint(p, near);
+        near[axis] += points[p].Weight * (far[axis] - near[axis]);
       }
+      positions->SetPoint(p, near);
     });
 }
 
@@ -176,15 +170,12 @@ vtkSmartPointer<vtkDoubleArray> MakeTimes(
   auto times = vtkSmartPointer<vtkDoubleArray>::New();
   times->SetName("Time");
   times->SetNumberOfValues(static_cast<vtkIdType>(points.GetSize()));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points.GetSize()),
-    [&](vtkIdType firstPoint, vtkIdType lastPoint)
+  ParallelFor(0, static_cast<vtkIdType>(points.GetSize()),
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = firstPoint; p < lastPoint; ++p)
-      {
-        const double near = points[p].Near < split ? begin : end;
-        const double far = points[p].Far < split ? begin : end;
-        times->SetValue(p, near + points[p].Weight * (far - near));
-      }
+      const double near = points[p].Near < split ? begin : end;
+      const double far = points[p].Far < split ? begin : end;
+      times->SetValue(p, near + points[p].Weight * (far - near));
     });
   return times;
 }
@@ -258,14 +249,11 @@ ExtractionBuffer<vtkIdType> TimeVaryingMesh::AddPoints(const TimeStep& first,
       added[index] = points[unshared];
     }
   }
-  vtkSMPTools::For(unshared, number,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelFor(unshared, number,
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = begin; p < end; ++p)
-      {
-        ids[p] = before + p - numberShared;
-        added[p - numberShared] = points[p];
-      }
+      ids[p] = before + p - numberShared;
+      added[p - numberShared] = points[p];
     });
   added.Truncate(number - numberShared);
   this->StoreEndPoints(points, lists, split, ids);
@@ -471,18 +459,15 @@ void TimeVaryingMesh::ResolveTiedBoundary()
   surfaces.Visit(settle);
   for (const Slab& slab : this->Slabs)
   {
-    vtkSMPTools::For(0, inTime.IsEmpty() ? 0 : static_cast<vtkIdType>(slab.Simplices.GetSize()),
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, inTime.IsEmpty() ? 0 : static_cast<vtkIdType>(slab.Simplices.GetSize()),
+      [&](vtkIdType s)
       {
-        for (vtkIdType s = first; s < last; ++s)
+        const Simplex& simplex = slab.Simplices[s];
+        if (inTime.IsNear(simplex.data(), 5))
         {
-          const Simplex& simplex = slab.Simplices[s];
-          if (inTime.IsNear(simplex.data(), 5))
-          {
-            const int item = slab.GetItem(s);
-            ForEachFace(simplex,
-              [&](const std::array<vtkIdType, 4>& face) { inTime.Count(item, face.data(), 0); });
-          }
+          const int item = slab.GetItem(s);
+          ForEachFace(simplex,
+            [&](const std::array<vtkIdType, 4>& face) { inTime.Count(item, face.data(), 0); });
         }
       });
   }

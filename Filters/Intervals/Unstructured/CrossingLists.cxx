@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Unstructured/CrossingLists.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Prefetch.h"
 #include "Scalars/ExtractionScalars.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -71,24 +70,21 @@ void CrossingLists::MakePoints(
   }
   this->Keys.Allocate(firstIds[blocks]);
   points.Allocate(firstIds[blocks]);
-  vtkSMPTools::For(0, blocks,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, blocks,
+    [&](vtkIdType block)
     {
-      for (vtkIdType block = first; block < last; ++block)
+      vtkIdType id = firstIds[block];
+      const vtkIdType number = firstIds[block + 1] - id;
+      vtkIdType found[OwnersInBlock];
+      const int numberFound = number > 0 ? this->FindOwners(block, found) : 0;
+      for (int i = 0; i < numberFound; ++i)
       {
-        vtkIdType id = firstIds[block];
-        const vtkIdType number = firstIds[block + 1] - id;
-        vtkIdType found[OwnersInBlock];
-        const int numberFound = number > 0 ? this->FindOwners(block, found) : 0;
-        for (int i = 0; i < numberFound; ++i)
-        {
-          this->Prefetch(found[std::min(i + 2 * OwnersAhead, numberFound - 1)]);
-          const Head& ahead = this->Heads[found[std::min(i + OwnersAhead, numberFound - 1)]];
-          interlume::Prefetch::Read(ahead.First.load(std::memory_order_relaxed));
-          id = this->NumberList(found[i], id, points);
-        }
-        scalars.Place(points.GetData() + id - number, number);
+        this->Prefetch(found[std::min(i + 2 * OwnersAhead, numberFound - 1)]);
+        const Head& ahead = this->Heads[found[std::min(i + OwnersAhead, numberFound - 1)]];
+        interlume::Prefetch::Read(ahead.First.load(std::memory_order_relaxed));
+        id = this->NumberList(found[i], id, points);
       }
+      scalars.Place(points.GetData() + id - number, number);
     });
   this->Bytes =
     this->Heads.GetBytes() + this->Owners.size() * sizeof(this->Owners[0]) + this->Keys.GetBytes();

@@ -3,11 +3,11 @@
 
 #include "Common/ArrayCheck.h"
 #include "Common/ArrayRows.h"
+#include "Common/ParallelFor.h"
 #include "Grid/UnwrappedParameters.h"
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,25 +154,22 @@ void FlowGrid::ReadVoxels(const Arrays& arrays)
   this->Parameters.assign(2 * static_cast<std::size_t>(number), 0.0F);
   this->Times.assign(static_cast<std::size_t>(number), 0.0F);
   this->Groups.assign(static_cast<std::size_t>(number), 0);
-  vtkSMPTools::For(0, number,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, number,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = first; i < last; ++i)
+      if (!arrays.IsReached(i) || !arrays.IsFinite(i))
       {
-        if (!arrays.IsReached(i) || !arrays.IsFinite(i))
-        {
-          continue;
-        }
-        double uv[2];
-        arrays.Parameters.Get<2>(i, uv);
-        this->Parameters[2 * i] = static_cast<float>(uv[0]);
-        this->Parameters[2 * i + 1] = static_cast<float>(uv[1]);
-        this->Times[i] = static_cast<float>(Arrays::Get(arrays.Times, i));
-        const int label = this->FindLabel(static_cast<int>(Arrays::Get(arrays.Ids, i)));
-        const double side = arrays.HasSides ? Arrays::Get(arrays.Sides, i) : 0.0;
-        const int awaySide = side == AWAY ? 1 : (side == -AWAY ? 2 : 0);
-        this->Groups[i] = static_cast<unsigned short>(label * NumberOfSides + awaySide);
+        return;
       }
+      double uv[2];
+      arrays.Parameters.Get<2>(i, uv);
+      this->Parameters[2 * i] = static_cast<float>(uv[0]);
+      this->Parameters[2 * i + 1] = static_cast<float>(uv[1]);
+      this->Times[i] = static_cast<float>(Arrays::Get(arrays.Times, i));
+      const int label = this->FindLabel(static_cast<int>(Arrays::Get(arrays.Ids, i)));
+      const double side = arrays.HasSides ? Arrays::Get(arrays.Sides, i) : 0.0;
+      const int awaySide = side == AWAY ? 1 : (side == -AWAY ? 2 : 0);
+      this->Groups[i] = static_cast<unsigned short>(label * NumberOfSides + awaySide);
     });
 }
 
@@ -265,17 +262,14 @@ template <typename Visit>
 void FlowGrid::ForEachCell(const Visit& visit) const
 {
   const vtkIdType size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
-  vtkSMPTools::For(0, size[2],
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, size[2],
+    [&](vtkIdType k)
     {
-      for (vtkIdType k = first; k < last; ++k)
+      for (vtkIdType j = 0; j < size[1]; ++j)
       {
-        for (vtkIdType j = 0; j < size[1]; ++j)
+        for (vtkIdType i = 0; i < size[0]; ++i)
         {
-          for (vtkIdType i = 0; i < size[0]; ++i)
-          {
-            visit(i, j, k, 2 * static_cast<std::size_t>(i + size[0] * (j + size[1] * k)));
-          }
+          visit(i, j, k, 2 * static_cast<std::size_t>(i + size[0] * (j + size[1] * k)));
         }
       }
     });

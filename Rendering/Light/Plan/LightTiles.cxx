@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plan/LightTiles.h"
 
+#include "Common/ParallelFor.h"
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
-
-#include "vtkSMPTools.h"
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -209,18 +208,15 @@ void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedL
   const Pyramids pyramids(light, sweep.Normal, position, space);
   const double apex = glm::dot(position, sweep.Normal);
   std::vector<std::vector<float>> parts(static_cast<std::size_t>(sweep.Slabs));
-  vtkSMPTools::For(0, sweep.Slabs,
-    [&](vtkIdType first, vtkIdType end)
+  ParallelFor(0, sweep.Slabs,
+    [&](vtkIdType slab)
     {
-      for (vtkIdType slab = first; slab < end; ++slab)
+      const double lower = sweep.First + static_cast<double>(slab) * sweep.Spacing - apex;
+      const double upper = lower + sweep.Spacing;
+      if (upper > 0.0)
       {
-        const double lower = sweep.First + static_cast<double>(slab) * sweep.Spacing - apex;
-        const double upper = lower + sweep.Spacing;
-        if (upper > 0.0)
-        {
-          AddTiles(pyramids, counts, { { std::max(lower, 0.0), upper } },
-            parts[static_cast<std::size_t>(slab)]);
-        }
+        AddTiles(pyramids, counts, { { std::max(lower, 0.0), upper } },
+          parts[static_cast<std::size_t>(slab)]);
       }
     });
   this->Join(parts);

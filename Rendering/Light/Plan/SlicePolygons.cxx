@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plan/SlicePolygons.h"
 
+#include "Common/ParallelFor.h"
 #include "Plan/BoxCutTable.h"
 #include "Space/UnitSpace.h"
 #include "Space/UnitVector.h"
-
-#include "vtkSMPTools.h"
 
 namespace interlume
 {
@@ -161,17 +160,14 @@ void SlicePolygons::Build(const SlicePlan::Sweep& sweep, BlockGrid grid, const U
   const Cutter cutter(grid, space, sweep.Normal);
   const std::vector<std::vector<Block>> blocks = Distribute(grid.GetVisible(), cutter, sweep);
   std::vector<std::vector<float>> parts(blocks.size());
-  vtkSMPTools::For(0, sweep.Slabs,
-    [&](vtkIdType first, vtkIdType end)
+  ParallelFor(0, sweep.Slabs,
+    [&](vtkIdType slab)
     {
-      for (vtkIdType slab = first; slab < end; ++slab)
+      const auto index = static_cast<std::size_t>(slab);
+      const double position = sweep.First + (static_cast<double>(slab) + 0.5) * sweep.Spacing;
+      for (const Block& block : blocks[index])
       {
-        const auto index = static_cast<std::size_t>(slab);
-        const double position = sweep.First + (static_cast<double>(slab) + 0.5) * sweep.Spacing;
-        for (const Block& block : blocks[index])
-        {
-          cutter.Cut(block, position, parts[index]);
-        }
+        cutter.Cut(block, position, parts[index]);
       }
     });
   this->Join(parts);

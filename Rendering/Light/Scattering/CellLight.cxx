@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/CellLight.h"
 
+#include "Common/ParallelFor.h"
 #include "Scattering/CellRay.h"
 
-#include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <glm/common.hpp>
@@ -246,17 +246,14 @@ std::vector<glm::vec3> CellLight::Find(const ScatteringMedium& medium,
   {
     sides.emplace_back(medium, light, side, rays, offset);
   }
-  vtkSMPTools::For(0, number, 1,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelFor(0, number, 1,
+    [&](vtkIdType part)
     {
-      for (vtkIdType part = begin; part < end; ++part)
+      for (const SideRays& side : sides)
       {
-        for (const SideRays& side : sides)
+        for (int row = static_cast<int>(part); row < side.GetRows(); row += number)
         {
-          for (int row = static_cast<int>(part); row < side.GetRows(); row += number)
-          {
-            side.FollowRow(row, sums[static_cast<std::size_t>(part)]);
-          }
+          side.FollowRow(row, sums[static_cast<std::size_t>(part)]);
         }
       }
     });

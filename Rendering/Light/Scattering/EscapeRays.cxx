@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/EscapeRays.h"
 
+#include "Common/ParallelFor.h"
 #include "Scattering/CellRay.h"
 
-#include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -398,17 +398,14 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const SanitizedMedium& medium,
   const SourceFields cellFields(sources);
   std::vector<std::vector<Sums>> parts(ordinates.size());
   std::vector<double> sampledDepths(ordinates.size(), 0.0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ordinates.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelFor(0, static_cast<vtkIdType>(ordinates.size()), 1,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const std::size_t at = static_cast<std::size_t>(i);
-        const bool isBack = glm::dot(ordinates[at].Out, direction) < 0.0;
-        DirectionTrace trace(medium, meanPhase, sources, cellFields, ordinates[at], isBack);
-        parts[at] = trace.Trace();
-        sampledDepths[at] = trace.GetSampledDepth();
-      }
+      const std::size_t at = static_cast<std::size_t>(i);
+      const bool isBack = glm::dot(ordinates[at].Out, direction) < 0.0;
+      DirectionTrace trace(medium, meanPhase, sources, cellFields, ordinates[at], isBack);
+      parts[at] = trace.Trace();
+      sampledDepths[at] = trace.GetSampledDepth();
     });
   double present = 0.0;
   for (const float extinction : medium.Extinction)

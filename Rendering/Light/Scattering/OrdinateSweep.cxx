@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/OrdinateSweep.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
 #include "Scattering/MediumLoop.h"
 
-#include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <glm/common.hpp>
@@ -183,14 +183,8 @@ void OrdinateSweep::Improve(
   {
     sweeps.emplace_back(medium, sources, octant);
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(Octants), 1,
-    [&sweeps](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType octant = begin; octant < end; ++octant)
-      {
-        sweeps[static_cast<std::size_t>(octant)].Run();
-      }
-    });
+  ParallelFor(0, static_cast<vtkIdType>(Octants), 1,
+    [&sweeps](vtkIdType octant) { sweeps[static_cast<std::size_t>(octant)].Run(); });
   const auto size = static_cast<float>(Vectors::InfinityNorm(medium.Box.CellSize));
   for (std::size_t cell = 0; cell < sources.size(); ++cell)
   {

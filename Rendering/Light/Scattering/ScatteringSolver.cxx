@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/ScatteringSolver.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
 #include "Scattering/DiffuseLight.h"
 #include "Scattering/EscapeRays.h"
@@ -10,7 +11,6 @@
 #include "Scattering/OrdinateSweep.h"
 #include "Scattering/SingleScatteringEscape.h"
 
-#include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <glm/common.hpp>
@@ -106,15 +106,12 @@ private:
     }
     std::vector<int> layers(lights, 0);
     this->Field.Forward.resize(lights);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(lights), 1,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelFor(0, static_cast<vtkIdType>(lights), 1,
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const std::size_t light = static_cast<std::size_t>(i);
-          this->Field.Forward[light] =
-            ForwardLight::Solve(this->Medium, light, fraction, variance, layers[light]);
-        }
+        const std::size_t light = static_cast<std::size_t>(i);
+        this->Field.Forward[light] =
+          ForwardLight::Solve(this->Medium, light, fraction, variance, layers[light]);
       });
     for (const int count : layers)
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volume/VolumeSamples.h"
 
+#include "Common/ParallelFor.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayAccessor.h"
@@ -249,25 +251,22 @@ std::vector<float> VolumeSamples::FindDifferences() const
   std::vector<float> differences(static_cast<std::size_t>(3 * rows * this->Size[0]));
   const auto find = [&](const auto* texels, float scale)
   {
-    vtkSMPTools::For(0, rows,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelFor(0, rows,
+      [&](vtkIdType row)
       {
-        for (vtkIdType row = begin; row < end; ++row)
+        std::array<int, 3> position{ { 0, static_cast<int>(row % this->Size[1]),
+          static_cast<int>(row / this->Size[1]) } };
+        for (vtkIdType voxel = row * this->Size[0]; position[0] < this->Size[0]; ++voxel)
         {
-          std::array<int, 3> position{ { 0, static_cast<int>(row % this->Size[1]),
-            static_cast<int>(row / this->Size[1]) } };
-          for (vtkIdType voxel = row * this->Size[0]; position[0] < this->Size[0]; ++voxel)
+          for (std::size_t axis = 0; axis < 3; ++axis)
           {
-            for (std::size_t axis = 0; axis < 3; ++axis)
-            {
-              const bool isFirst = position[axis] == 0;
-              const bool isLast = position[axis] + 1 == this->Size[axis];
-              differences[static_cast<std::size_t>(3 * voxel) + axis] = scale *
-                (static_cast<float>(texels[voxel + (isLast ? 0 : steps[axis])]) -
-                  static_cast<float>(texels[voxel - (isFirst ? 0 : steps[axis])]));
-            }
-            ++position[0];
+            const bool isFirst = position[axis] == 0;
+            const bool isLast = position[axis] + 1 == this->Size[axis];
+            differences[static_cast<std::size_t>(3 * voxel) + axis] = scale *
+              (static_cast<float>(texels[voxel + (isLast ? 0 : steps[axis])]) -
+                static_cast<float>(texels[voxel - (isFirst ? 0 : steps[axis])]));
           }
+          ++position[0];
         }
       });
   };

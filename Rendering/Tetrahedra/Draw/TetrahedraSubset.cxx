@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/TetrahedraSubset.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/ThreadLocals.h"
 #include "Frame/BoundaryShading.h"
 #include "Order/RadixSorter.h"
@@ -190,17 +191,14 @@ public:
     }
     const auto size = static_cast<vtkIdType>(this->Keys.size());
     std::vector<std::vector<std::uint32_t>> chunks((size + CHUNK - 1) / CHUNK);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()), 1,
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, static_cast<vtkIdType>(chunks.size()), 1,
+      [&](vtkIdType chunk)
       {
-        for (vtkIdType chunk = first; chunk < last; ++chunk)
+        for (vtkIdType t = chunk * CHUNK; t < std::min(size, (chunk + 1) * CHUNK); ++t)
         {
-          for (vtkIdType t = chunk * CHUNK; t < std::min(size, (chunk + 1) * CHUNK); ++t)
+          if (this->Keys[t] >> SHIFT <= bin)
           {
-            if (this->Keys[t] >> SHIFT <= bin)
-            {
-              chunks[chunk].push_back(static_cast<std::uint32_t>(t));
-            }
+            chunks[chunk].push_back(static_cast<std::uint32_t>(t));
           }
         }
       });
@@ -263,14 +261,9 @@ TetrahedraFields CopyFields(
   const auto copy = [&](const auto& source, auto& target, bool isOfPoints)
   {
     target.resize(source.empty() ? 0 : isOfPoints ? 4 * number : number);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(target.size()), CHUNK,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          target[i] = source[isOfPoints ? frame.Mesh->GetCorners(ids[i / 4])[i % 4] : ids[i]];
-        }
-      });
+    ParallelFor(0, static_cast<vtkIdType>(target.size()), CHUNK,
+      [&](vtkIdType i)
+      { target[i] = source[isOfPoints ? frame.Mesh->GetCorners(ids[i / 4])[i % 4] : ids[i]]; });
   };
   copy(from.Scalars, to.Scalars, true);
   copy(from.Colors, to.Colors, from.Kind == TetrahedraFields::POINT_COLORS);
@@ -351,14 +344,8 @@ bool TetrahedraSubset::Update(const TetrahedraFrame& frame, std::uint32_t number
   mesh.Scale = frame.Mesh->Scale;
   mesh.Points.resize(12 * size);
   mesh.Corners.resize(4 * size);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(size), CHUNK,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType rank = first; rank < last; ++rank)
-      {
-        this->Enlarge(frame, static_cast<std::uint32_t>(rank), mesh, fields);
-      }
-    });
+  ParallelFor(0, static_cast<vtkIdType>(size), CHUNK,
+    [&](vtkIdType rank) { this->Enlarge(frame, static_cast<std::uint32_t>(rank), mesh, fields); });
   return true;
 }
 

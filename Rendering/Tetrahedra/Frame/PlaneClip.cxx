@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/PlaneClip.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <iterator>
@@ -63,37 +62,31 @@ void PlaneClip::Classify(const TetrahedraMesh& mesh)
 {
   // All planes after the first BITS share the last bit, which never drops a tetrahedron.
   std::vector<std::uint32_t> outside(this->Points);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points),
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(this->Points),
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = first; p < last; ++p)
+      std::uint32_t bits = 0;
+      for (std::size_t i = 0; i < this->Planes.size(); ++i)
       {
-        std::uint32_t bits = 0;
-        for (std::size_t i = 0; i < this->Planes.size(); ++i)
-        {
-          const bool isOutside =
-            mesh.GetDistance(this->Planes[i], static_cast<std::uint32_t>(p)) < -ON_PLANE;
-          bits |= isOutside ? 1u << std::min(i, BITS) : 0u;
-        }
-        outside[static_cast<std::size_t>(p)] = bits;
+        const bool isOutside =
+          mesh.GetDistance(this->Planes[i], static_cast<std::uint32_t>(p)) < -ON_PLANE;
+        bits |= isOutside ? 1u << std::min(i, BITS) : 0u;
       }
+      outside[static_cast<std::size_t>(p)] = bits;
     });
   this->States.resize(this->Tetrahedra);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tetrahedra),
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(this->Tetrahedra),
+    [&](vtkIdType t)
     {
-      for (vtkIdType t = first; t < last; ++t)
+      const std::uint32_t* corners = mesh.GetCorners(static_cast<std::uint32_t>(t));
+      std::uint32_t any = 0;
+      std::uint32_t all = (1u << BITS) - 1u;
+      for (int k = 0; k < 4; ++k)
       {
-        const std::uint32_t* corners = mesh.GetCorners(static_cast<std::uint32_t>(t));
-        std::uint32_t any = 0;
-        std::uint32_t all = (1u << BITS) - 1u;
-        for (int k = 0; k < 4; ++k)
-        {
-          any |= outside[corners[k]];
-          all &= outside[corners[k]];
-        }
-        this->States[static_cast<std::size_t>(t)] = any == 0 ? RETAINED : all != 0 ? DROPPED : CUT;
+        any |= outside[corners[k]];
+        all &= outside[corners[k]];
       }
+      this->States[static_cast<std::size_t>(t)] = any == 0 ? RETAINED : all != 0 ? DROPPED : CUT;
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshBuilder.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/ThreadLocals.h"
 
 #include "vtkArrayDispatch.h"
@@ -272,14 +273,8 @@ Error MeshBuilder::Build(
   points.Measure(mesh);
   mesh.Points.resize(3 * static_cast<std::size_t>(points.GetNumber()));
   this->BadPoints.resize(points.GetNumber());
-  vtkSMPTools::For(0, points.GetNumber(),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        this->BadPoints[p] = !points.Transform(mesh, p, &mesh.Points[3 * p]);
-      }
-    });
+  ParallelFor(0, points.GetNumber(),
+    [&](vtkIdType p) { this->BadPoints[p] = !points.Transform(mesh, p, &mesh.Points[3 * p]); });
   ClearIfAllZero(this->BadPoints);
 
   mesh.Corners.resize(4 * static_cast<std::size_t>(cells));

@@ -2,6 +2,7 @@
 #include "Mesh/TetrahedraBuilder.h"
 
 #include "Common/ArrayCheck.h"
+#include "Common/ParallelFor.h"
 #include "Common/ThreadLocals.h"
 
 #include "vtkColorTransferFunction.h"
@@ -127,16 +128,13 @@ void BuildScalars(
   {
     return;
   }
-  vtkSMPTools::For(0, number,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, number,
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        const double value = GetValue(scalars, p, component);
-        const double fraction = (0.5 * value - low) / width;
-        fields.Scalars[p] =
-          TetrahedraArrays::IsFinite(scalars, p) ? static_cast<float>(fraction) : 0.0f;
-      }
+      const double value = GetValue(scalars, p, component);
+      const double fraction = (0.5 * value - low) / width;
+      fields.Scalars[p] =
+        TetrahedraArrays::IsFinite(scalars, p) ? static_cast<float>(fraction) : 0.0f;
     });
 }
 }
@@ -150,14 +148,11 @@ void TetrahedraBuilder::BuildDeltaTAndLayers(
   if (arrays.DeltaT)
   {
     fields.DeltaT.resize(points);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(points),
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(0, static_cast<vtkIdType>(points),
+      [&](vtkIdType p)
       {
-        for (vtkIdType p = first; p < last; ++p)
-        {
-          // The value may be NaN or infinity, but then no tetrahedron of the mesh uses the point.
-          fields.DeltaT[p] = static_cast<float>(arrays.DeltaT->GetComponent(p, 0));
-        }
+        // The value may be NaN or infinity, but then no tetrahedron of the mesh uses the point.
+        fields.DeltaT[p] = static_cast<float>(arrays.DeltaT->GetComponent(p, 0));
       });
   }
   if (arrays.Layers)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Order/CentroidOrder.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
-
-#include "vtkSMPTools.h"
 
 #include <cmath>
 
@@ -26,14 +25,11 @@ template <typename Measure>
 void FillKeys(const TetrahedraMesh& mesh, std::vector<std::uint32_t>& keys, const Measure& measure)
 {
   keys.resize(mesh.GetNumberOfTetrahedra());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(keys.size()), Grain,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(keys.size()), Grain,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        const double value = measure(SumCorners(mesh, static_cast<std::uint32_t>(i)));
-        keys[i] = RadixSorter::MakeKey(static_cast<float>(value));
-      }
+      const double value = measure(SumCorners(mesh, static_cast<std::uint32_t>(i)));
+      keys[i] = RadixSorter::MakeKey(static_cast<float>(value));
     });
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Order/FaceAdjacency.h"
 
+#include "Common/ParallelFor.h"
 #include "Order/RadixSorter.h"
 
 #include "vtkSMPTools.h"
@@ -81,14 +82,9 @@ std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
   const std::uint32_t faces = 4 * mesh.GetNumberOfTetrahedra();
   std::vector<std::uint32_t> twins(faces, None);
   std::vector<std::uint32_t> lowest(faces);
-  vtkSMPTools::For(0, faces, Grain,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType face = first; face < last; ++face)
-      {
-        lowest[face] = GetSortedIds(mesh, static_cast<std::uint32_t>(face))[0];
-      }
-    });
+  ParallelFor(0, faces, Grain,
+    [&](vtkIdType face)
+    { lowest[face] = GetSortedIds(mesh, static_cast<std::uint32_t>(face))[0]; });
 
   std::vector<std::uint32_t> order(faces);
   RadixSorter radix;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Order/FrontNeighbors.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
 #include "Order/EdgeOnRule.h"
 #include "Order/FaceAdjacency.h"
-
-#include "vtkSMPTools.h"
 
 #include <utility>
 
@@ -66,14 +65,8 @@ void FrontNeighbors::Build(const TetrahedraMesh& mesh, const std::vector<std::ui
   this->Radius = mesh.GetRadius();
   const std::uint32_t number = mesh.GetNumberOfTetrahedra();
   std::vector<unsigned char> orientations(number);
-  vtkSMPTools::For(0, number, Grain,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType t = first; t < last; ++t)
-      {
-        orientations[t] = FindOrientation(mesh, static_cast<std::uint32_t>(t));
-      }
-    });
+  ParallelFor(0, number, Grain,
+    [&](vtkIdType t) { orientations[t] = FindOrientation(mesh, static_cast<std::uint32_t>(t)); });
   this->Tetrahedra.resize(number);
   this->OpenFaces.clear();
   for (std::uint32_t t = 0; t < number; ++t)
@@ -102,35 +95,32 @@ void FrontNeighbors::Compute(
 {
   const EdgeOnRule rule(view, this->Radius);
   inFront.resize(this->Tetrahedra.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tetrahedra.size()), Grain,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(this->Tetrahedra.size()), Grain,
+    [&](vtkIdType t)
     {
-      for (vtkIdType t = first; t < last; ++t)
+      const Edges e(mesh, static_cast<std::uint32_t>(t));
+      const glm::dvec3 towardEye = rule.GetVectorToEye(e.Origin);
+      const glm::dvec3 towardEye1 =
+        rule.GetVectorToEye(glm::make_vec3(mesh.GetPoint(mesh.GetCorners(t)[1])));
+      const glm::dvec3 edge12 = e.V - e.U;
+      const glm::dvec3 edge13 = e.W - e.U;
+      const double u = Vectors::InfinityNorm(e.U);
+      const double v = Vectors::InfinityNorm(e.V);
+      const double w = Vectors::InfinityNorm(e.W);
+      // sides[k] is positive if the camera and corner k are on the same side of face k.
+      const double sign = this->Tetrahedra[t] & IsPositive ? 1.0 : -1.0;
+      const double sides[4] = { -sign * glm::dot(glm::cross(edge12, edge13), towardEye1),
+        sign * glm::dot(glm::cross(e.V, e.W), towardEye),
+        sign * glm::dot(glm::cross(e.W, e.U), towardEye),
+        sign * glm::dot(glm::cross(e.U, e.V), towardEye) };
+      const double sizes[4] = { Vectors::InfinityNorm(edge12) + Vectors::InfinityNorm(edge13),
+        v + w, w + u, u + v };
+      unsigned int outside = 0;
+      for (int k = 0; k < 4; ++k)
       {
-        const Edges e(mesh, static_cast<std::uint32_t>(t));
-        const glm::dvec3 towardEye = rule.GetVectorToEye(e.Origin);
-        const glm::dvec3 towardEye1 =
-          rule.GetVectorToEye(glm::make_vec3(mesh.GetPoint(mesh.GetCorners(t)[1])));
-        const glm::dvec3 edge12 = e.V - e.U;
-        const glm::dvec3 edge13 = e.W - e.U;
-        const double u = Vectors::InfinityNorm(e.U);
-        const double v = Vectors::InfinityNorm(e.V);
-        const double w = Vectors::InfinityNorm(e.W);
-        // sides[k] is positive if the camera and corner k are on the same side of face k.
-        const double sign = this->Tetrahedra[t] & IsPositive ? 1.0 : -1.0;
-        const double sides[4] = { -sign * glm::dot(glm::cross(edge12, edge13), towardEye1),
-          sign * glm::dot(glm::cross(e.V, e.W), towardEye),
-          sign * glm::dot(glm::cross(e.W, e.U), towardEye),
-          sign * glm::dot(glm::cross(e.U, e.V), towardEye) };
-        const double sizes[4] = { Vectors::InfinityNorm(edge12) + Vectors::InfinityNorm(edge13),
-          v + w, w + u, u + v };
-        unsigned int outside = 0;
-        for (int k = 0; k < 4; ++k)
-        {
-          outside |= static_cast<unsigned int>(sides[k] < -rule.GetBound(sizes[k])) << k;
-        }
-        inFront[t] = static_cast<unsigned char>(outside & this->Tetrahedra[t] & Passable);
+        outside |= static_cast<unsigned int>(sides[k] < -rule.GetBound(sizes[k])) << k;
       }
+      inFront[t] = static_cast<unsigned char>(outside & this->Tetrahedra[t] & Passable);
     });
 }
 

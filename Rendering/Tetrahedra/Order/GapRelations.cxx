@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Order/GapRelations.h"
 
+#include "Common/ParallelFor.h"
 #include "Common/Vectors.h"
 #include "Order/EdgeOnRule.h"
 #include "Order/FrontNeighbors.h"
 #include "Order/FaceRaster.h"
 #include "Order/ViewRayEvents.h"
 #include "View/FrameProjection.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -91,17 +90,14 @@ void OpenFaceRaster::FindRows()
 {
   const std::vector<std::uint32_t>& faces = this->Sides.GetOpenFaces();
   this->Rows.resize(faces.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(faces.size()), Grain,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(faces.size()), Grain,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        bool isEdgeOn = false;
-        const FaceRaster raster = this->MakeRaster(faces[i], isEdgeOn);
-        const auto columns = raster.GetColumns();
-        const bool isOutside = isEdgeOn || columns.First > columns.Last;
-        this->Rows[i] = isOutside ? FrameProjection::Range{ 0, -1 } : raster.GetRows();
-      }
+      bool isEdgeOn = false;
+      const FaceRaster raster = this->MakeRaster(faces[i], isEdgeOn);
+      const auto columns = raster.GetColumns();
+      const bool isOutside = isEdgeOn || columns.First > columns.Last;
+      this->Rows[i] = isOutside ? FrameProjection::Range{ 0, -1 } : raster.GetRows();
     });
 }
 
@@ -185,14 +181,8 @@ void GapRelations::Compute(
   OpenFaceRaster raster(mesh, sides, rays, projection);
   raster.FindRows();
   std::vector<Relations> bands(raster.GetNumberOfBands());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(bands.size()), 1,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType band = first; band < last; ++band)
-      {
-        raster.RelateBand(static_cast<int>(band), bands[band]);
-      }
-    });
+  ParallelFor(0, static_cast<vtkIdType>(bands.size()), 1,
+    [&](vtkIdType band) { raster.RelateBand(static_cast<int>(band), bands[band]); });
 
   Relations all;
   for (const Relations& band : bands)

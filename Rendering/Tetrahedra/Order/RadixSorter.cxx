@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Order/RadixSorter.h"
 
-#include "vtkSMPTools.h"
+#include "Common/ParallelFor.h"
 
 #include <algorithm>
 #include <numeric>
@@ -23,14 +23,11 @@ void RadixSorter::ForEachChunk(const Work& work) const
 {
   const std::uint64_t number = this->Number;
   const std::uint64_t chunks = this->Chunks;
-  vtkSMPTools::For(0, this->Chunks, 1,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, this->Chunks, 1,
+    [&](vtkIdType chunk)
     {
-      for (vtkIdType chunk = first; chunk < last; ++chunk)
-      {
-        work(static_cast<std::uint32_t>(chunk), static_cast<std::uint32_t>(number * chunk / chunks),
-          static_cast<std::uint32_t>(number * (chunk + 1) / chunks));
-      }
+      work(static_cast<std::uint32_t>(chunk), static_cast<std::uint32_t>(number * chunk / chunks),
+        static_cast<std::uint32_t>(number * (chunk + 1) / chunks));
     });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Software/TileBins.h"
 
-#include "vtkSMPTools.h"
+#include "Common/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,17 +24,14 @@ void TileBins::ProjectPoints(const TetrahedraFrame& frame)
   const bool hasScalars = fields.Kind == TetrahedraFields::SCALARS;
   const bool hasDeltaT = !fields.DeltaT.empty();
   this->Points.resize(points);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points),
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(points),
+    [&](vtkIdType p)
     {
-      for (vtkIdType p = first; p < last; ++p)
-      {
-        const glm::dvec3 eye = frame.View.GetEyeCoordinates(&mesh.Points[3 * p]);
-        Point& point = this->Points[p];
-        point.Position = frame.View.Project(eye);
-        point.Scalar = hasScalars ? fields.Scalars[p] : 0.0f;
-        point.DeltaT = hasDeltaT ? fields.DeltaT[p] : 1.0f;
-      }
+      const glm::dvec3 eye = frame.View.GetEyeCoordinates(&mesh.Points[3 * p]);
+      Point& point = this->Points[p];
+      point.Position = frame.View.Project(eye);
+      point.Scalar = hasScalars ? fields.Scalars[p] : 0.0f;
+      point.DeltaT = hasDeltaT ? fields.DeltaT[p] : 1.0f;
     });
 }
 
@@ -71,14 +68,8 @@ void TileBins::Fill(const TetrahedraFrame& frame)
   this->ProjectPoints(frame);
   const std::size_t all = frame.Mesh->GetNumberOfTetrahedra();
   this->Ranges.resize(all);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(all),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType t = first; t < last; ++t)
-      {
-        this->Ranges[t] = this->GetRange(frame, static_cast<std::uint32_t>(t));
-      }
-    });
+  ParallelFor(0, static_cast<vtkIdType>(all),
+    [&](vtkIdType t) { this->Ranges[t] = this->GetRange(frame, static_cast<std::uint32_t>(t)); });
 
   const std::vector<std::uint32_t>* order = frame.Order;
   const std::size_t number = order ? order->size() : all;
@@ -105,14 +96,11 @@ void TileBins::Fill(const TetrahedraFrame& frame)
       drawn[chunk] += range[0] <= range[1];
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(chunks), 1,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(chunks), 1,
+    [&](vtkIdType chunk)
     {
-      for (vtkIdType chunk = first; chunk < last; ++chunk)
-      {
-        std::size_t* count = &counts[chunk * tiles];
-        visit(chunk, [count](std::size_t tile, std::uint32_t) { ++count[tile]; });
-      }
+      std::size_t* count = &counts[chunk * tiles];
+      visit(chunk, [count](std::size_t tile, std::uint32_t) { ++count[tile]; });
     });
   this->NumberDrawn = 0;
   for (vtkIdType& chunkCount : drawn)
@@ -134,16 +122,13 @@ void TileBins::Fill(const TetrahedraFrame& frame)
   }
   this->Starts[tiles] = sum;
   this->Lists.resize(sum);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(chunks), 1,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelFor(0, static_cast<vtkIdType>(chunks), 1,
+    [&](vtkIdType chunk)
     {
-      for (vtkIdType chunk = first; chunk < last; ++chunk)
-      {
-        std::size_t* next = &counts[chunk * tiles];
-        visit(chunk,
-          [this, next](std::size_t tile, std::uint32_t tetrahedron)
-          { this->Lists[next[tile]++] = tetrahedron; });
-      }
+      std::size_t* next = &counts[chunk * tiles];
+      visit(chunk,
+        [this, next](std::size_t tile, std::uint32_t tetrahedron)
+        { this->Lists[next[tile]++] = tetrahedron; });
     });
 }
 
