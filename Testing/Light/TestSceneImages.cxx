@@ -149,8 +149,8 @@ void TestProjectors(Check& check)
   }
 }
 
-// A plate casts a shadow on a floor lit by a projected image. The floor outside the shadow is
-// unchanged.
+// A plate casts a shadow on a floor lit by a projected image. The shadow is black, and the floor
+// outside it is unchanged.
 void TestShadow(Check& check)
 {
   const auto light = MakeProjector(false, 4);
@@ -159,20 +159,30 @@ void TestShadow(Check& check)
   {
     SceneStage stage(PIXELS, SIZE);
     stage.Add(MakeRectangle({ { -1.5, -1.5, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { 0.0, 3.0, 0.0 } }));
-    // The shadow ends at x = 0.1.
+    // The shadow is beside the plate, from x = -0.3 to x = -0.05.
     stage.Add(MakeRectangle(
-      { { i == 0 ? -1.0 : -9.0, -1.0, 0.5 } }, { { 1.25, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }));
+      { { i == 0 ? 0.0 : -9.0, -1.0, 1.0 } }, { { 0.25, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }));
     stage.LookAlong({ { 0.0, 0.0, -1.0 } });
     stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light) });
     images[i] = stage.Draw();
   }
   double difference = 0.0;
   double brightness = 0.0;
-  for (int i = PIXELS * 5 / 8 + 2; i < PIXELS; ++i)
+  for (int i = 0; i < PIXELS; ++i)
   {
-    difference = std::max(
-      difference, std::abs(images[0].At(i, PIXELS / 2)[0] - images[1].At(i, PIXELS / 2)[0]));
-    brightness = std::max(brightness, images[0].At(i, PIXELS / 2)[0]);
+    const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
+    const double shadowed = images[0].At(i, PIXELS / 2)[0];
+    const double lit = images[1].At(i, PIXELS / 2)[0];
+    if (x > -0.28 && x < -0.07)
+    {
+      check.Near(shadowed, 0.0, 1e-6, "the shadow is black", 1.0);
+      check.That(lit > 0.1, "the floor is lit without the plate");
+    }
+    else if (x < -0.32 || (x > -0.03 && x < -0.02) || x > 0.27)
+    {
+      difference = std::max(difference, std::abs(shadowed - lit));
+      brightness = std::max(brightness, shadowed);
+    }
   }
   check.Near(difference, 0.0, 1e-6, "the floor outside the shadow is unchanged", 1.0);
   check.That(brightness > 0.2, "the floor outside the shadow is lit");

@@ -508,6 +508,17 @@ void TestGhosts(Check& check)
   cells->SetValue(hidden, vtkDataSetAttributes::HIDDENCELL);
   cells->SetValue(duplicate, vtkDataSetAttributes::DUPLICATECELL);
   samples->GetCellData()->AddArray(cells);
+  // Returns whether a position is in the duplicate cell or, for the sign -1, in the hidden cell.
+  const auto isIn = [](const double x[3], double sign)
+  { return sign * x[0] > 0.6 - 1e-6 && std::abs(x[1]) < 0.2 + 1e-6 && sign * x[2] > 0.6 - 1e-6; };
+  vtkNew<vtkUnsignedCharArray> points;
+  points->SetName("vtkGhostType");
+  for (vtkIdType p = 0; p < samples->GetNumberOfPoints(); ++p)
+  {
+    points->InsertNextValue(
+      isIn(samples->GetPoint(p), 1.0) ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
+  }
+  samples->GetPointData()->AddArray(points);
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
   field->SetSampleData(samples);
   field->Update();
@@ -520,6 +531,21 @@ void TestGhosts(Check& check)
   {
     counts[0] += ghosts->GetValue(cell) == vtkDataSetAttributes::HIDDENCELL ? 1 : 0;
     counts[1] += ghosts->GetValue(cell) == vtkDataSetAttributes::DUPLICATECELL ? 1 : 0;
+    double bounds[6];
+    mesh->GetCellBounds(cell, bounds);
+    const double center[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+      0.5 * (bounds[4] + bounds[5]) };
+    check.Equal(ghosts->GetValue(cell),
+      isIn(center, -1.0)    ? vtkDataSetAttributes::HIDDENCELL
+        : isIn(center, 1.0) ? vtkDataSetAttributes::DUPLICATECELL
+                            : 0,
+      "ghost flag of a cell");
+  }
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    check.Equal(mesh->GetPointGhostArray()->GetValue(p),
+      isIn(mesh->GetPoint(p), 1.0) ? vtkDataSetAttributes::DUPLICATEPOINT : 0,
+      "ghost flag of a point");
   }
   check.Equal(counts[0], 1, "the hidden cell is not refined");
   // Each of the six faces of the duplicate cell is split into eight triangles, and each triangle

@@ -244,7 +244,7 @@ void TestRejections(Check& check)
     return result;
   };
   const Outcome walled = fraction(wall, { { false, false } });
-  check.That(walled.LargestError <= 6000.0, "maximum error at a thin wall");
+  check.That(walled.LargestError <= 1.0, "no error at a thin wall");
   check.That(
     walled.Shared.size() < static_cast<std::size_t>(all), "fewer interpolated samples with a wall");
 }

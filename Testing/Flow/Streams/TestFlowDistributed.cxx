@@ -43,6 +43,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #ifdef __GLIBC__
@@ -672,16 +673,19 @@ void TestWholeField(Check& check, vtkMultiProcessController* controller)
 {
   check.SetContext("full field");
   const int ranks = controller->GetNumberOfProcesses();
-  const std::function<void(vtkImplicitFlowField*)> settings[] = {
-    [](vtkImplicitFlowField* filter) { filter->SetInterpolateStreamlines(true); },
-    [](vtkImplicitFlowField* filter) { filter->SetCriticalPointSpheres(true); },
-    [](vtkImplicitFlowField* filter)
-    {
-      vtkNew<vtkTerminationInflow> inflow;
-      filter->AddTerminationSurface(inflow);
-    },
+  const std::pair<const char*, std::function<void(vtkImplicitFlowField*)>> settings[] = {
+    { "InterpolateStreamlines is on",
+      [](vtkImplicitFlowField* filter) { filter->SetInterpolateStreamlines(true); } },
+    { "CriticalPointSpheres is on",
+      [](vtkImplicitFlowField* filter) { filter->SetCriticalPointSpheres(true); } },
+    { "a termination surface is placed by the vectors",
+      [](vtkImplicitFlowField* filter)
+      {
+        vtkNew<vtkTerminationInflow> inflow;
+        filter->AddTerminationSurface(inflow);
+      } },
   };
-  for (const auto& set : settings)
+  for (const auto& [reason, set] : settings)
   {
     const auto source =
       vtk::TakeSmartPointer(MakeFlow(vtkAnalyticFlowSource::SHEAR, VTK_FLOAT, 9, 9, 9, 1.0));
@@ -693,8 +697,8 @@ void TestWholeField(Check& check, vtkMultiProcessController* controller)
     filter->UpdatePiece(controller->GetLocalProcessId(), ranks, 0);
     vtkInterlumeReport* report = filter->GetReport();
     check.Equal(report->GetCount("FieldBytes"), 9 * 9 * 9 * 12, "bytes of the full field");
-    check.That(
-      (ranks > 1) == !report->GetText("WholeFieldReason").empty(), "the reason is reported");
+    check.That(report->GetText("WholeFieldReason") == (ranks > 1 ? reason : ""),
+      "reported reason: " + report->GetText("WholeFieldReason"));
     check.Equal(report->GetSize("StepsPerProcess"), 0, "no steps per process");
   }
 }
