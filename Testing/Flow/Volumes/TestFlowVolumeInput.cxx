@@ -189,7 +189,7 @@ void CheckArrays(Check& check)
   heat->SetName("Heat");
   heat->SetNumberOfValues(input->GetNumberOfPoints());
   vtkNew<vtkIntArray> zone;
-  // Versions before 0.9 dropped an array with this name.
+  // The filter once passed its own data under this name.
   zone->SetName("InflowItem");
   zone->SetNumberOfValues(input->GetNumberOfCells());
   for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
