@@ -175,14 +175,7 @@ const char* vtkImplicitFlowField::GetMeanArrayName(int i) const
     : nullptr;
 }
 
-void vtkImplicitFlowField::SetController(vtkMultiProcessController* controller)
-{
-  if (controller != this->Controller)
-  {
-    this->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkImplicitFlowField, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkImplicitFlowField::GetController() const
 {

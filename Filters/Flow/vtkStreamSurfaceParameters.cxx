@@ -106,14 +106,7 @@ vtkStreamSurfaceParameters::vtkStreamSurfaceParameters()
 
 vtkStreamSurfaceParameters::~vtkStreamSurfaceParameters() = default;
 
-void vtkStreamSurfaceParameters::SetMapping(vtkInflowMapping* mapping)
-{
-  if (this->Mapping != mapping)
-  {
-    this->Mapping = mapping;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkStreamSurfaceParameters, Mapping, vtkInflowMapping);
 
 vtkInflowMapping* vtkStreamSurfaceParameters::GetMapping() const
 {

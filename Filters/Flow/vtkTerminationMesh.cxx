@@ -74,14 +74,7 @@ vtkTerminationMesh::vtkTerminationMesh()
 
 vtkTerminationMesh::~vtkTerminationMesh() = default;
 
-void vtkTerminationMesh::SetMesh(vtkPolyData* mesh)
-{
-  if (this->Mesh != mesh)
-  {
-    this->Mesh = mesh;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkTerminationMesh, Mesh, vtkPolyData);
 
 vtkPolyData* vtkTerminationMesh::GetMesh() const
 {

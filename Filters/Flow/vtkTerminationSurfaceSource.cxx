@@ -43,14 +43,7 @@ vtkTerminationSurfaceSource::vtkTerminationSurfaceSource()
 
 vtkTerminationSurfaceSource::~vtkTerminationSurfaceSource() = default;
 
-void vtkTerminationSurfaceSource::SetSurface(vtkTerminationSurface* surface)
-{
-  if (this->Surface != surface)
-  {
-    this->Surface = surface;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkTerminationSurfaceSource, Surface, vtkTerminationSurface);
 
 vtkTerminationSurface* vtkTerminationSurfaceSource::GetSurface() const
 {

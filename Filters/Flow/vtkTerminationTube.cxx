@@ -48,14 +48,7 @@ void vtkTerminationTube::GetPoint(int i, double x[3]) const
   }
 }
 
-void vtkTerminationTube::SetLine(vtkPolyData* line)
-{
-  if (this->Line != line)
-  {
-    this->Line = line;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkTerminationTube, Line, vtkPolyData);
 
 vtkPolyData* vtkTerminationTube::GetLine() const
 {

@@ -145,14 +145,7 @@ const char* vtkConstructiveVolume::GetOutputModeName(int mode)
   return mode >= 0 && mode < NUMBER_OF_OUTPUT_MODES ? names[mode] : nullptr;
 }
 
-void vtkConstructiveVolume::SetRoot(vtkSpatialObject* root)
-{
-  if (this->Root != root)
-  {
-    this->Root = root;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkConstructiveVolume, Root, vtkSpatialObject);
 
 vtkSpatialObject* vtkConstructiveVolume::GetRoot() const
 {

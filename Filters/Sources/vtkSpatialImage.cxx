@@ -32,14 +32,7 @@ vtkSpatialImage::vtkSpatialImage() = default;
 
 vtkSpatialImage::~vtkSpatialImage() = default;
 
-void vtkSpatialImage::SetImage(vtkImageData* image)
-{
-  if (this->Image != image)
-  {
-    this->Image = image;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkSpatialImage, Image, vtkImageData);
 
 vtkImageData* vtkSpatialImage::GetImage() const
 {

@@ -46,14 +46,7 @@ vtkSpatialObject::vtkSpatialObject() = default;
 
 vtkSpatialObject::~vtkSpatialObject() = default;
 
-void vtkSpatialObject::SetTransform(vtkLinearTransform* transform)
-{
-  if (this->Transform != transform)
-  {
-    this->Transform = transform;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkSpatialObject, Transform, vtkLinearTransform);
 
 vtkLinearTransform* vtkSpatialObject::GetTransform() const
 {

@@ -101,14 +101,7 @@ void vtkSpatialPrimitive::SetLengths(double x, double y, double z)
   }
 }
 
-void vtkSpatialPrimitive::SetFunction(vtkImplicitFunction* function)
-{
-  if (this->Function != function)
-  {
-    this->Function = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkSpatialPrimitive, Function, vtkImplicitFunction);
 
 vtkImplicitFunction* vtkSpatialPrimitive::GetFunction() const
 {

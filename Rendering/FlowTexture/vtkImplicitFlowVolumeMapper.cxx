@@ -72,23 +72,9 @@ vtkImageData* vtkImplicitFlowVolumeMapper::GetInflowTexture(int id) const
   return found != this->InflowTextures.end() ? found->second.Get() : nullptr;
 }
 
-void vtkImplicitFlowVolumeMapper::SetDetailTexture(vtkImageData* image)
-{
-  if (image != this->DetailTexture)
-  {
-    this->DetailTexture = image;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkImplicitFlowVolumeMapper, DetailTexture, vtkImageData);
 
-void vtkImplicitFlowVolumeMapper::SetTimeGate(vtkPiecewiseFunction* function)
-{
-  if (function != this->TimeGate)
-  {
-    this->TimeGate = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkImplicitFlowVolumeMapper, TimeGate, vtkPiecewiseFunction);
 
 void vtkImplicitFlowVolumeMapper::SetName(std::string& member, const char* name)
 {

@@ -38,14 +38,7 @@ double Clamp(double value, double lower, double upper)
 vtkProjectiveLight::vtkProjectiveLight() = default;
 vtkProjectiveLight::~vtkProjectiveLight() = default;
 
-void vtkProjectiveLight::SetImage(vtkImageData* image)
-{
-  if (this->Image != image)
-  {
-    this->Image = image;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkProjectiveLight, Image, vtkImageData);
 
 vtkImageData* vtkProjectiveLight::GetImage() const
 {

@@ -144,14 +144,7 @@ vtkProperty* vtkTimeWeightedTetrahedraMapper::GetBoundaryProperty() const
   return this->BoundaryProperty;
 }
 
-void vtkTimeWeightedTetrahedraMapper::SetBoundaryTexture(vtkTexture* texture)
-{
-  if (texture != this->BoundaryTexture)
-  {
-    this->BoundaryTexture = texture;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkTimeWeightedTetrahedraMapper, BoundaryTexture, vtkTexture);
 
 vtkTexture* vtkTimeWeightedTetrahedraMapper::GetBoundaryTexture() const
 {
