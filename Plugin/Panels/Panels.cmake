@@ -13,28 +13,18 @@ paraview_plugin_add_property_widget(
   CLASS_NAME pqAreaLightPropertyWidget
   INTERFACES area_light_interfaces
   SOURCES    area_light_sources)
-paraview_plugin_add_property_widget(
-  KIND       WIDGET_DECORATOR
-  TYPE       interlume_hidden_handles
-  CLASS_NAME pqHiddenHandlesDecorator
-  INTERFACES handles_interfaces
-  SOURCES    handles_sources)
 paraview_plugin_add_auto_start(
   CLASS_NAME pqHyphenInSearch
   STARTUP    startup
   SHUTDOWN   shutdown
   INTERFACES search_interfaces
   SOURCES    search_sources)
-list(APPEND panel_interfaces
-  ${area_light_interfaces} ${handles_interfaces} ${search_interfaces})
+list(APPEND panel_interfaces ${area_light_interfaces} ${search_interfaces})
 list(APPEND panel_sources
   ${area_light_sources}
-  ${handles_sources}
   ${search_sources}
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.h"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHiddenHandlesDecorator.cxx"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHiddenHandlesDecorator.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHyphenInSearch.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHyphenInSearch.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.cxx"
