@@ -137,6 +137,11 @@ interlume::Error vtkImplicitFlowVolumeMapper::Draw(
   return this->Renderer->Render(renderer, volume, *this, image, report);
 }
 
+bool vtkImplicitFlowVolumeMapper::GetRefinementPending() const
+{
+  return this->Renderer->IsRefinementPending();
+}
+
 void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (this->Peels->Defer(this, renderer, volume))
@@ -206,6 +211,7 @@ void vtkImplicitFlowVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumTextureSamples: " << this->MaximumTextureSamples << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "ProgressiveRendering: " << this->ProgressiveRendering << "\n";
   os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());

@@ -274,6 +274,24 @@ public:
 
   ///@{
   /**
+   * If on, a frame that takes more than 0.2 s is refined by consecutive renderings: the first one
+   * uses coarser pixels, samples and light buffers and takes about 0.2 s, and the last one draws
+   * the same image as with this setting off. Render the window again while GetRefinementPending()
+   * returns true. A change of the scene restarts with the first image. If nothing has changed, the
+   * last image is shown again. Default off: each rendering draws the final image.
+   */
+  vtkSetMacro(ProgressiveRendering, bool);
+  vtkGetMacro(ProgressiveRendering, bool);
+  vtkBooleanMacro(ProgressiveRendering, bool);
+  ///@}
+
+  /**
+   * Returns true if ProgressiveRendering is on and the last frame was not final, or was aborted.
+   */
+  bool GetRefinementPending() const;
+
+  ///@{
+  /**
    * Set/Get the maximum size of the textures of one frame, in bytes. Exceeding it is an error.
    * Default 0: no limit other than GPU memory. Valid: 0 and above; clamped.
    */
@@ -336,6 +354,7 @@ private:
   int MaximumTextureSamples = 8;
   double SampleDistance = 0.0;
   double ImageSampleDistance = 1.0;
+  bool ProgressiveRendering = false;
   vtkIdType MaximumTextureMemory = 0;
   vtkNew<vtkInterlumeReport> Report;
   std::string ErrorText;

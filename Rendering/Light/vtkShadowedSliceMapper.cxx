@@ -120,6 +120,11 @@ interlume::Error vtkShadowedSliceMapper::FindScalars(
   return {};
 }
 
+bool vtkShadowedSliceMapper::GetRefinementPending() const
+{
+  return this->Image->IsRefinementPending();
+}
+
 void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (this->Peels->Defer(this, renderer, volume))
@@ -229,6 +234,7 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
       { "SliceSpacing", this->SliceSpacing }, { "LightBufferSize", this->LightBufferSize },
       { "LightLookup", this->LightLookup }, { "ImageSampleDistance", this->ImageSampleDistance },
       { "AutoAdjustSampleDistances", this->AutoAdjustSampleDistances },
+      { "ProgressiveRendering", this->ProgressiveRendering },
       { "SurfaceGradient", this->SurfaceGradient }, { "TwoSidedLighting", this->TwoSidedLighting },
       { "SoftShadowMethod", this->SoftShadowMethod },
       { "NumberOfLightSamples", this->NumberOfLightSamples },

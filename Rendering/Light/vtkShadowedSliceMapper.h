@@ -192,6 +192,26 @@ public:
 
   ///@{
   /**
+   * If on, a frame that takes more than 0.2 s is refined by consecutive renderings: the first one
+   * draws coarser slices, pixels, light buffers and light samples within about 0.2 s, and the last
+   * one the same image as with this setting off. Render the window again while
+   * GetRefinementPending() returns true. A change of the scene restarts with the first image. If
+   * nothing has changed, the last image is shown again. Multiple scattering is always computed in
+   * full, and frames of a vtkShadowedScenePass are not refined. Default off: each rendering draws
+   * the final image.
+   */
+  vtkSetMacro(ProgressiveRendering, bool);
+  vtkGetMacro(ProgressiveRendering, bool);
+  vtkBooleanMacro(ProgressiveRendering, bool);
+  ///@}
+
+  /**
+   * Returns true if ProgressiveRendering is on and the last frame was not final, or was aborted.
+   */
+  bool GetRefinementPending() const;
+
+  ///@{
+  /**
    * Set the minimum scalar change between neighboring voxels at which the medium is shaded as a
    * surface, as a fraction of the scalar range. Below it, shading changes linearly toward isotropic
    * scattering: at zero change the factor N.L is 1 and the specular part is 0. Use a few hundredths

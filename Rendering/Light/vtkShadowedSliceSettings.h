@@ -76,6 +76,7 @@ struct vtkShadowedSliceSettings
   int LightLookup = BILINEAR_LOOKUP;
   double ImageSampleDistance = 1.0;
   bool AutoAdjustSampleDistances = true;
+  bool ProgressiveRendering = false;
   double SurfaceGradient = 0.0;
   bool TwoSidedLighting = false;
   int SoftShadowMethod = SAMPLE_LAYERS;

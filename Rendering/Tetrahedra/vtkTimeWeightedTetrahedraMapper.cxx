@@ -307,6 +307,11 @@ double* vtkTimeWeightedTetrahedraMapper::GetBounds()
   return this->Bounds;
 }
 
+bool vtkTimeWeightedTetrahedraMapper::GetRefinementPending() const
+{
+  return this->Renderer->IsRefinementPending();
+}
+
 void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (this->Peels->Defer(this, renderer, volume))
@@ -376,6 +381,7 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->BoundaryProperty->PrintSelf(os, indent.GetNextIndent());
   os << indent << "BoundaryTexture: " << this->BoundaryTexture.Get() << "\n";
   os << indent << "AutoAdjustLevelOfDetail: " << this->AutoAdjustLevelOfDetail << "\n";
+  os << indent << "ProgressiveRendering: " << this->ProgressiveRendering << "\n";
   os << indent << "Processes: " << (this->Pieces ? this->Pieces->GetNumberOfRanks() : 1) << "\n";
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());

@@ -289,6 +289,24 @@ public:
   vtkBooleanMacro(AutoAdjustLevelOfDetail, bool);
   ///@}
 
+  ///@{
+  /**
+   * If on, an image that takes more than 0.2 s is refined by consecutive renderings: the first one
+   * draws a subset of the tetrahedra within about 0.2 s, and the last one the same image as with
+   * this setting off. Render the window again while GetRefinementPending() returns true. A change
+   * of the scene restarts with the first image. Images of several processes (see GatherPieces) are
+   * not refined. Default off: each rendering draws the final image.
+   */
+  vtkSetMacro(ProgressiveRendering, bool);
+  vtkGetMacro(ProgressiveRendering, bool);
+  vtkBooleanMacro(ProgressiveRendering, bool);
+  ///@}
+
+  /**
+   * Return true if ProgressiveRendering is on and the last image was not final, or was aborted.
+   */
+  bool GetRefinementPending() const;
+
   /**
    * Render the input as one partition of a volume that is distributed over the processes of \a
    * controller. All processes must call this together whenever the input or the blend mode has
@@ -360,6 +378,7 @@ private:
   vtkSmartPointer<vtkProperty> BoundaryProperty;
   vtkSmartPointer<vtkTexture> BoundaryTexture;
   bool AutoAdjustLevelOfDetail = true;
+  bool ProgressiveRendering = false;
   vtkNew<vtkInterlumeReport> Report;
   /// Communication with the other processes; null if only this input is drawn.
   std::unique_ptr<interlume::PieceExchange> Pieces;

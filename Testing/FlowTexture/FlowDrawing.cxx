@@ -11,6 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkRenderWindow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,10 +169,30 @@ void FlowFixture::Apply(const State& state)
   this->Camera->SetParallelProjection(is(16));
 }
 
+RgbaImage DrawRefined(FlowFixture& fixture, Check& check)
+{
+  vtkRenderWindow* window = fixture.Stage.GetWindow();
+  window->SetDesiredUpdateRate(1e9);
+  fixture.Mapper->ProgressiveRenderingOn();
+  RgbaImage image = fixture.Stage.Capture(1);
+  check.That(fixture.Mapper->GetRefinementPending(), "the first image is coarse");
+  window->SetDesiredUpdateRate(1e-4);
+  for (int pass = 0; fixture.Mapper->GetRefinementPending() && pass < 3; ++pass)
+  {
+    image = fixture.Stage.Capture(1);
+  }
+  check.That(!fixture.Mapper->GetRefinementPending(), "the image becomes final");
+  check.That(fixture.Stage.Capture(1).Values == image.Values, "the final image is shown again");
+  check.Equal(
+    fixture.Mapper->GetReport()->GetCount("Passes"), 0, "no rays are cast without a change");
+  return image;
+}
+
 void CheckRandomStates(const std::function<std::unique_ptr<FlowFixture>()>& make,
   const std::function<void(vtkInterlumeReport*)>& inspect, Check& check)
 {
   const std::unique_ptr<FlowFixture> reused = make();
+  const std::unique_ptr<FlowFixture> refined = make();
   Random random(21);
   double largest = 0.0;
   for (int change = 0; change < 24; ++change)
@@ -185,7 +206,11 @@ void CheckRandomStates(const std::function<std::unique_ptr<FlowFixture>()>& make
     const RgbaImage after = reused->Stage.Capture();
     const std::unique_ptr<FlowFixture> fresh = make();
     fresh->Apply(state);
-    const ImageError error = CompareImages(after, fresh->Stage.Capture());
+    const RgbaImage expected = fresh->Stage.Capture();
+    const ImageError error = CompareImages(after, expected);
+    refined->Apply(state);
+    check.That(DrawRefined(*refined, check).Values == expected.Values,
+      "change " + std::to_string(change) + ": the refined image equals that of a new mapper");
     vtkInterlumeReport* report = reused->Mapper->GetReport();
     check.Near(error.Max, 0.0, 0.0,
       "change " + std::to_string(change) + ", " + report->GetText("Features"), 1.0);

@@ -78,8 +78,11 @@ struct FlowFixture
   vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
 };
 
-/// Checks after each of many random states that the image equals that of a new mapper. \a inspect
-/// is called with the report of each state.
+/// Draws a coarse image with progressive rendering, and then all passes. Returns the final image.
+RgbaImage DrawRefined(FlowFixture& fixture, Check& check);
+
+/// Checks after each of many random states that the image equals that of a new mapper, also with
+/// progressive rendering. \a inspect is called with the report of each state.
 void CheckRandomStates(const std::function<std::unique_ptr<FlowFixture>()>& make,
   const std::function<void(vtkInterlumeReport*)>& inspect, Check& check);
 

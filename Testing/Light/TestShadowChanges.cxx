@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A random sequence of changes to a scene of vtkShadowedSliceMapper: lights, light buffers, data,
-// opacities, camera, window. After each change, the frame equals the frame of a new scene.
+// opacities, camera, window. After each change, the frame equals the frame of a new scene. With
+// progressive rendering, the refined frame does, and it is shown again if nothing has changed.
 #include "Support/Images/CameraSettings.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
@@ -8,14 +9,21 @@
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
+#include "vtkSphereSource.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -30,6 +38,7 @@ namespace
 using namespace reference;
 
 constexpr int Changes = 300;
+constexpr int ProgressiveChanges = 120;
 constexpr std::size_t MaximumLights = 3;
 
 /// Returns true if some pixel is brighter than the background.
@@ -63,7 +72,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeStepProperty(double haze)
 class ChangingScene
 {
 public:
-  explicit ChangingScene(unsigned seed)
+  ChangingScene(unsigned seed, bool isProgressive)
     : Numbers(seed)
     , Images{ MakeImage(40, MakeSphere(0.15, 0.45)), MakeImage(70, TwoBoxes),
       MakeImage({ { 90, 30, 55 } }, { { 0.02, 0.03, 0.01 } }, MakeSphere(0.2, 0.5)) }
@@ -71,7 +80,17 @@ public:
     , Scene(MakeScene(this->Images[0], this->Properties[0]))
     , Stage(this->Scene.Size)
   {
+    vtkNew<vtkSphereSource> sphere;
+    vtkNew<vtkPolyDataMapper> surface;
+    surface->SetInputConnection(sphere->GetOutputPort());
+    auto ball = vtkSmartPointer<vtkActor>::New();
+    ball->SetMapper(surface);
+    ball->SetScale(0.3);
+    ball->VisibilityOff();
+    this->Scene.Actors = { ball };
+    this->Scene.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     SetScene(this->Stage, this->Mapper, this->Scene);
+    this->Mapper->SetProgressiveRendering(isProgressive);
   }
 
   /// Applies a random change and returns its name.
@@ -92,6 +111,30 @@ public:
     return ReadWindow(this->Stage.GetWindow());
   }
 
+  /// Renders a coarse image and then all passes until the image is final. The next rendering shows
+  /// this image again.
+  RgbaImage DrawRefined(Check& check)
+  {
+    vtkRenderWindow* window = this->Stage.GetWindow();
+    window->SetDesiredUpdateRate(1e9);
+    const RgbaImage coarse = this->DrawChanged();
+    this->CoarseFrames += this->Mapper->GetRefinementPending() ? 1 : 0;
+    window->SetDesiredUpdateRate(1e-4);
+    int passes = 0;
+    RgbaImage refined = coarse;
+    for (; this->Mapper->GetRefinementPending() && passes < 3; ++passes)
+    {
+      refined = ReadWindow(window);
+    }
+    check.That(!this->Mapper->GetRefinementPending(), "the image becomes final");
+    const RgbaImage again = ReadWindow(window);
+    check.That(again.Values == refined.Values, "the final image is shown again");
+    check.Equal(
+      this->Mapper->GetReport()->GetCount("ImagePasses"), 0, "nothing is drawn without a change");
+    return again;
+  }
+  int GetCoarseFrames() const { return this->CoarseFrames; }
+
   RgbaImage DrawNewScene() const
   {
     ShadowScene scene = this->Scene;
@@ -109,6 +152,7 @@ public:
     mapper->SetSliceSpacing(this->Mapper->GetSliceSpacing());
     VolumeStage stage(scene.Size);
     SetScene(stage, mapper, scene);
+    stage.GetRenderer()->SetViewport(this->Viewport.data());
     return ReadWindow(stage.GetWindow());
   }
 
@@ -140,6 +184,8 @@ private:
   ShadowScene Scene;
   vtkNew<vtkShadowedSliceMapper> Mapper;
   VolumeStage Stage;
+  std::array<double, 4> Viewport{ { 0.0, 0.0, 1.0, 1.0 } };
+  int CoarseFrames = 0;
   std::vector<std::pair<std::string, std::function<void()>>> Kinds = {
     { "light buffer size",
       [this]
@@ -211,25 +257,69 @@ private:
         this->Scene.TransmissionColor =
           this->Scene.TransmissionColor ? nullptr : this->Scene.Property->GetRGBTransferFunction();
       } },
+    { "opaque surface",
+      [this]
+      {
+        const Double3 direction = this->Numbers.GetDirection();
+        this->Scene.Actors[0]->SetPosition(
+          0.4 * direction[0], 0.4 * direction[1], 0.4 * direction[2]);
+        this->Scene.Actors[0]->SetVisibility(this->Pick(4) > 0 ? 1 : 0);
+      } },
+    { "position of the volume",
+      [this] { this->Scene.Matrix->SetElement(0, 3, this->Numbers.Get(-0.1, 0.1)); } },
+    { "clipping plane",
+      [this]
+      {
+        this->Scene.ClippingPlanes.clear();
+        if (this->Pick(2) == 0)
+        {
+          this->Scene.ClippingPlanes.push_back(vtkSmartPointer<vtkPlane>::New());
+          this->Scene.ClippingPlanes[0]->SetNormal(this->Numbers.GetDirection().data());
+        }
+      } },
+    { "color of a light",
+      [this] { this->PickLight()->SetColor(1.0, this->Numbers.Get(0.5, 1.0), 0.7); } },
+    { "viewport",
+      [this]
+      {
+        this->Viewport[2] = this->Numbers.Get(0.7, 1.0);
+        this->Stage.GetRenderer()->SetViewport(this->Viewport.data());
+      } },
+    { "selection",
+      [this]
+      {
+        vtkNew<vtkHardwareSelector> selector;
+        selector->SetRenderer(this->Stage.GetRenderer());
+        selector->SetArea(0, 0, 10, 10);
+        selector->CaptureBuffers();
+      } },
   };
 };
+
+void TestChanges(Check& check, bool isProgressive, int changes)
+{
+  check.SetContext(isProgressive ? "progressive" : "complete images");
+  ChangingScene scene(17, isProgressive);
+  int seen = 0;
+  std::string name = "no setting";
+  for (int i = 0; i < changes; ++i)
+  {
+    const RgbaImage found = isProgressive ? scene.DrawRefined(check) : scene.DrawChanged();
+    check.Near(CompareImages(found, scene.DrawNewScene()).Max, 0.0, 0.0,
+      "image " + std::to_string(i) + ", after a change of " + name, 1.0);
+    seen += IsLit(found) ? 1 : 0;
+    name = scene.Change();
+  }
+  check.That(seen > changes * 9 / 10, "images show the volume");
+  check.That(!isProgressive || scene.GetCoarseFrames() > changes / 2, "coarse images are drawn");
+}
 
 }
 
 int TestShadowChanges(int, char*[])
 {
   Check check;
-  ChangingScene scene(17);
-  int seen = 0;
-  std::string name = "no setting";
-  for (int i = 0; i < Changes; ++i)
-  {
-    const RgbaImage found = scene.DrawChanged();
-    check.Near(CompareImages(found, scene.DrawNewScene()).Max, 0.0, 0.0,
-      "image " + std::to_string(i) + ", after a change of " + name, 1.0);
-    seen += IsLit(found) ? 1 : 0;
-    name = scene.Change();
-  }
-  check.Equal(seen, Changes, "all images show the volume");
+  TestChanges(check, false, Changes);
+  TestChanges(check, true, ProgressiveChanges);
   return check.Result();
 }

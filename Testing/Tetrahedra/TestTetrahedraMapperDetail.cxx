@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests images during interaction: brightness and opacity against the image at rest, the image at
-// rest after interaction, and changes in random order against a new mapper.
+// Tests images during interaction and progressive images: brightness and opacity against the image
+// at rest, the image at rest after interaction, and changes in random order against a new mapper.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Drawing/ImageCases.h"
 #include "Support/Images/VolumeStage.h"
@@ -228,6 +228,70 @@ void TestChanges(Check& check, int path, int changes)
   }
 }
 
+/// Renders until the image is final, and returns it.
+RgbaImage DrawRefined(VolumeStage& stage, Mapper* mapper, State& state, Check& check)
+{
+  RgbaImage image = Draw(stage, mapper, state);
+  for (int pass = 0; mapper->GetRefinementPending() && pass < 3; ++pass)
+  {
+    image = stage.Capture(1);
+  }
+  check.That(!mapper->GetRefinementPending(), "the image becomes final");
+  return image;
+}
+
+/// Tests that refined images equal those of a new mapper after changes in random order.
+void TestRefinement(Check& check, int path, int changes)
+{
+  std::mt19937 random(11);
+  State state;
+  state.Path = path;
+  state.Grid = MakeMesh(20, false);
+  VolumeStage stage(SIZE);
+  vtkNew<Mapper> mapper;
+  mapper->ProgressiveRenderingOn();
+  int coarse = 0;
+  for (int i = 0; i < changes; ++i)
+  {
+    Change(state, random);
+    state.Rate = FASTEST;
+    Draw(stage, mapper, state);
+    coarse += mapper->GetRefinementPending() ? 1 : 0;
+    state.Rate = STILL;
+    check.That(DrawRefined(stage, mapper, state, check).Values == DrawFresh(state).Values,
+      GetPathName(path) + ": the refined image after change " + std::to_string(i));
+    stage.Capture(1);
+    check.Equal(mapper->GetReport()->GetCount("UploadedImageBytes"), 0, "nothing is drawn again");
+  }
+  check.That(coarse > changes / 2, "coarse images are drawn");
+}
+
+/// Tests the first image of a large mesh, which is drawn before the mesh is built.
+void TestSample(Check& check, bool hasTime)
+{
+  State state;
+  state.Grid = MakeMesh(46, hasTime);
+  state.Property = MakePeak(0.5);
+  const std::string name = hasTime ? "sample in time: " : "sample: ";
+  VolumeStage stage(SIZE);
+  vtkNew<Mapper> mapper;
+  mapper->ProgressiveRenderingOn();
+  state.Rate = FASTEST;
+  const auto found = GetMean(Draw(stage, mapper, state));
+  check.That(mapper->GetRefinementPending(), name + "the image is not final");
+  check.Equal(mapper->GetReport()->GetCount("Tetrahedra"),
+    static_cast<int>(state.Grid->GetNumberOfCells()), name + "tetrahedra of the input");
+  check.That(mapper->GetReport()->GetNumber("TetrahedraDrawn") < 100000, name + "few are drawn");
+  state.Rate = STILL;
+  const RgbaImage final = DrawRefined(stage, mapper, state, check);
+  check.That(final.Values == DrawFresh(state).Values, name + "the final image");
+  const auto expected = GetMean(final);
+  for (int c = 0; c < 4; ++c)
+  {
+    check.Near(found[c], expected[c], 0.05, name + "channel " + std::to_string(c), 0.05);
+  }
+}
+
 void TestEmpty(Check& check, int path)
 {
   State state;
@@ -287,6 +351,10 @@ int TestTetrahedraMapperDetail(int, char*[])
   TestBrightness(check, Mapper::OPENGL_PATH, 20, { 1 });
   TestChanges(check, Mapper::SOFTWARE_PATH, 30);
   TestChanges(check, Mapper::OPENGL_PATH, 12);
+  TestRefinement(check, Mapper::SOFTWARE_PATH, 20);
+  TestRefinement(check, Mapper::OPENGL_PATH, 8);
+  TestSample(check, false);
+  TestSample(check, true);
   TestEmpty(check, Mapper::SOFTWARE_PATH);
   TestEmpty(check, Mapper::OPENGL_PATH);
   TestMemory(check);

@@ -57,6 +57,11 @@ struct FlowRenderFrame
   std::array<int, 3> DetailSize{ { 1, 1, 1 } };
   std::array<double, 2> TransferRange{ { 0.0, 1.0 } };
   double SampleDistance = 1.0;
+  /// Factor for the distances between pixels and samples; above 1 in coarse passes of a progressive
+  /// image.
+  double Coarseness = 1.0;
+  /// Number of horizontal bands in which the image is drawn. Between them, it can be aborted.
+  int Bands = 1;
 };
 
 }

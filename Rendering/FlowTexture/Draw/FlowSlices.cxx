@@ -109,6 +109,7 @@ void FlowSlices::Set(const FlowRenderFrame& pass, const FlowRenderState& scene)
   mapper->SetSliceSpacing(
     settings.GetSampleDistance() > 0.0 ? settings.GetSampleDistance() : 0.25 * scene.View.Spacing);
   mapper->SetImageSampleDistance(settings.GetImageSampleDistance());
+  mapper->SetProgressiveRendering(settings.GetProgressiveRendering());
   const vtkIdType maximum = settings.GetMaximumTextureMemory();
   mapper->SetMaximumTextureMemory(
     maximum > 0 ? std::max<vtkIdType>(maximum - pass.Report.TextureBytes, 1) : 0);
@@ -124,6 +125,13 @@ void FlowSlices::Set(const FlowRenderFrame& pass, const FlowRenderState& scene)
   to->SetSpecular(from->GetSpecular());
   to->SetSpecularPower(from->GetSpecularPower());
   this->Volume->SetUserMatrix(pass.Volume->GetMatrix());
+  const std::tuple<const void*, const void*, vtkMTimeType> state(
+    from, pass.Image, std::max({ settings.GetMTime(), from->GetMTime(), pass.Image->GetMTime() }));
+  if (this->MediumState != state)
+  {
+    this->MediumState = state;
+    this->Painted->Modified();
+  }
 }
 
 Error FlowSlices::Draw(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures)
@@ -138,6 +146,7 @@ Error FlowSlices::Draw(FlowRenderFrame& pass, const FlowRenderState& scene, Flow
     this->MakeReachedImage(pass, scene);
   }
   this->Set(pass, scene);
+  this->Volume->SetAllocatedRenderTime(pass.Volume->GetAllocatedRenderTime(), pass.Renderer);
   this->Mapper->Render(pass.Renderer, this->Volume);
   vtkInterlumeReport* drawn = this->Mapper->GetReport();
   FlowVolumeRenderReport& report = pass.Report;
@@ -154,6 +163,11 @@ Error FlowSlices::Draw(FlowRenderFrame& pass, const FlowRenderState& scene, Flow
   copy("LightBufferSize", report.LightBufferSize);
   copy("LightBufferBytes", report.LightBufferBytes);
   return this->Painted->Reported;
+}
+
+bool FlowSlices::IsRefinementPending() const
+{
+  return this->Mapper->GetRefinementPending();
 }
 
 void FlowSlices::ReleaseGraphicsResources(vtkWindow* window)

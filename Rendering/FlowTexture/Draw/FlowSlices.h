@@ -7,6 +7,8 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <tuple>
+
 class vtkImageData;
 class vtkRenderer;
 class vtkShadowedSliceMapper;
@@ -40,6 +42,9 @@ public:
   /// slice mapper.
   Error Draw(FlowRenderFrame& pass, const FlowRenderState& scene, FlowTextures& textures);
 
+  /// Returns true if the last frame was not final.
+  bool IsRefinementPending() const;
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -53,6 +58,8 @@ private:
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkShadowedSliceMapper> Mapper;
   vtkNew<Medium> Painted;
+  /// Objects that define the medium, and their last modification time.
+  std::tuple<const void*, const void*, vtkMTimeType> MediumState;
 };
 
 }

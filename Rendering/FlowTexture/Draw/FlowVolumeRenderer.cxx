@@ -14,12 +14,14 @@
 #include "Offscreen/ImageQuad.h"
 #include "Offscreen/PropSelection.h"
 #include "Offscreen/SceneDepth.h"
+#include "Refinement/RenderProgress.h"
 
 #include "vtkDataArray.h"
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTimerLog.h"
@@ -31,6 +33,17 @@
 
 namespace interlume
 {
+
+namespace
+{
+/// Estimated time per view ray sample, of software OpenGL with one thread, and of a GPU.
+constexpr double SOFTWARE_SECONDS = 1e-7;
+constexpr double GPU_SECONDS = 1e-9;
+/// Time between two checks whether a progressive image is aborted.
+constexpr double BAND_SECONDS = 0.05;
+/// Minimum number of rows of a band.
+constexpr double BAND_ROWS = 8.0;
+}
 
 struct FlowVolumeRenderer::WindowResources
 {
@@ -133,11 +146,12 @@ Error FlowVolumeRenderer::Update(FlowRenderFrame& pass)
   this->Scene.Paints.Assign(mapper.GetInflowTextures(), this->Scene.Grid);
   // llvmpipe terminates the loops of a shader after 65,535 iterations in total.
   const double maximumSamples = 60000.0 / (mapper.GetMaximumTextureSamples() + 5);
-  pass.SampleDistance = std::max(
-    mapper.GetSampleDistance() > 0.0 ? mapper.GetSampleDistance() : 0.5 * this->Scene.View.Spacing,
+  pass.SampleDistance = std::max(pass.Coarseness *
+      (mapper.GetSampleDistance() > 0.0 ? mapper.GetSampleDistance()
+                                        : 0.5 * this->Scene.View.Spacing),
     this->Scene.View.Diagonal / maximumSamples);
   report.SampleDistance = pass.SampleDistance;
-  report.ImageSampleDistance = mapper.GetImageSampleDistance();
+  report.ImageSampleDistance = mapper.GetImageSampleDistance() * pass.Coarseness;
   report.Surfaces = static_cast<int>(this->Scene.Grid.Ids.size());
   report.SurfacesWithoutTexture = this->Scene.Paints.WithoutTexture;
   report.UniformCells = this->Scene.Grid.UniformCells;
@@ -214,6 +228,35 @@ Error FlowVolumeRenderer::Draw(FlowRenderFrame& pass, WindowResources& resources
       ErrorCode::OutOfMemory
     };
   }
+  if (!this->DrawRays(pass, resources, shader))
+  {
+    return {};
+  }
+  pass.Report.Passes = 1;
+  if (pass.Renderer->GetSelector())
+  {
+    resources.Selection.Show(pass.Renderer->GetSelector(), window, resources.Image);
+  }
+  else
+  {
+    resources.ShowQuad.Draw(window, resources.Image);
+  }
+  return {};
+}
+
+bool FlowVolumeRenderer::DrawRays(
+  FlowRenderFrame& pass, WindowResources& resources, const FlowShader& shader)
+{
+  vtkOpenGLRenderWindow* window = pass.Window;
+  vtkTextureObject* bound = resources.OpaqueDepth;
+  if (!pass.Parts.HasOpaqueDepth)
+  {
+    // The quad requires a texture, although the shader does not use it.
+    FloatTexture::Allocate(window, resources.NoDepth, 1, 1, 1, false);
+    bound = resources.NoDepth;
+  }
+  RenderProgress progress(window, &pass.Mapper);
+  bool isAborted = false;
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   {
@@ -227,32 +270,58 @@ Error FlowVolumeRenderer::Draw(FlowRenderFrame& pass, WindowResources& resources
     state->vtkglViewport(0, 0, pass.Size[0], pass.Size[1]);
     state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    vtkTextureObject* bound = depth;
-    if (!pass.Parts.HasOpaqueDepth)
+    for (int band = 0; band < pass.Bands && !isAborted; ++band)
     {
-      // The quad requires a texture, although the shader does not use it.
-      FloatTexture::Allocate(window, resources.NoDepth, 1, 1, 1, false);
-      bound = resources.NoDepth;
-    }
-    resources.RayQuad.DrawWithShader(window, bound, shader.GetSource(),
-      [&](vtkShaderProgram* program)
+      if (pass.Bands > 1)
       {
-        resources.Textures.Activate(program);
-        FlowUniforms::Set(program, this->Scene, pass);
-      });
-    resources.Textures.Deactivate();
+        const int bottom = band * pass.Size[1] / pass.Bands;
+        state->vtkglEnable(GL_SCISSOR_TEST);
+        state->vtkglScissor(
+          0, bottom, pass.Size[0], (band + 1) * pass.Size[1] / pass.Bands - bottom);
+      }
+      resources.RayQuad.DrawWithShader(window, bound, shader.GetSource(),
+        [&](vtkShaderProgram* program)
+        {
+          resources.Textures.Activate(program);
+          FlowUniforms::Set(program, this->Scene, pass);
+        });
+      resources.Textures.Deactivate();
+      if (pass.Bands > 1)
+      {
+        glFinish();
+        isAborted = progress.IsAborted((band + 1.0) / pass.Bands);
+      }
+    }
   }
   state->PopFramebufferBindings();
-  pass.Report.Passes = 1;
-  if (pass.Renderer->GetSelector())
+  return !isAborted;
+}
+
+bool FlowVolumeRenderer::BeginPass(FlowRenderFrame& pass)
+{
+  const int* dimensions = pass.Image->GetDimensions();
+  const double samples =
+    2.0 * *std::max_element(dimensions, dimensions + 3) * pass.Size[0] * pass.Size[1];
+  const double estimate = samples *
+    (SoftwareOpenGL::IsUsed(pass.Window)
+        ? SOFTWARE_SECONDS / vtkSMPTools::GetEstimatedNumberOfThreads()
+        : GPU_SECONDS);
+  const double final = this->Times.GetFinalSeconds(pass.Size, estimate);
+  const double seconds = this->Refinement.Begin(pass.Renderer, pass.Volume,
+    ImageKey(pass.Renderer, pass.Volume, &pass.Mapper), final,
+    pass.Volume->GetAllocatedRenderTime());
+  if (seconds == ImageRefinement::REUSED)
   {
-    resources.Selection.Show(pass.Renderer->GetSelector(), window, resources.Image);
+    return false;
   }
-  else
+  pass.Coarseness = this->Times.Choose(seconds);
+  for (int& size : pass.Size)
   {
-    resources.ShowQuad.Draw(window, resources.Image);
+    size = std::max(static_cast<int>(std::lround(size / pass.Coarseness)), 1);
   }
-  return {};
+  const double bands = final / std::pow(pass.Coarseness, 3.0) / BAND_SECONDS;
+  pass.Bands = static_cast<int>(std::clamp(bands, 1.0, std::max(1.0, pass.Size[1] / BAND_ROWS)));
+  return true;
 }
 
 Error FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
@@ -292,18 +361,69 @@ Error FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
     pass.Size[i] =
       std::max(static_cast<int>(std::lround(size[i] / mapper.GetImageSampleDistance())), 1);
   }
-  Error error = this->Update(pass).Then(
-    [&] { return FlowSources::Update(pass, this->Scene, resources->Textures); });
-  if (!error && !this->Scene.Grid.Ids.empty())
-  {
-    error = pass.HasShadows ? this->DrawSlices(pass, *resources) : this->Draw(pass, *resources);
-  }
+  const Error error = this->DrawPass(pass, *resources);
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   return error;
 }
 
+Error FlowVolumeRenderer::DrawPass(FlowRenderFrame& pass, WindowResources& resources)
+{
+  const bool isSelection = pass.Renderer->GetSelector() != nullptr;
+  const bool isRefined = pass.Mapper.GetProgressiveRendering() && !pass.HasShadows && !isSelection;
+  this->HasSlices = isSelection ? this->HasSlices : pass.HasShadows;
+  if (isSelection)
+  {
+    // The selection overwrites the image.
+    this->Refinement.DropImage();
+  }
+  else if (!isRefined)
+  {
+    this->Refinement.Clear();
+  }
+  else if (!this->BeginPass(pass))
+  {
+    pass.Report = this->PassReport;
+    resources.ShowQuad.Draw(pass.Window, resources.Image);
+    return {};
+  }
+  Error error = this->Update(pass).Then(
+    [&] { return FlowSources::Update(pass, this->Scene, resources.Textures); });
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (!error && !this->Scene.Grid.Ids.empty())
+  {
+    error = pass.HasShadows ? this->DrawSlices(pass, resources) : this->Draw(pass, resources);
+  }
+  if (error || this->Scene.Grid.Ids.empty())
+  {
+    this->Refinement.Clear();
+  }
+  else if (isRefined && pass.Report.Passes > 0)
+  {
+    this->EndPass(pass, start);
+  }
+  return error;
+}
+
+void FlowVolumeRenderer::EndPass(const FlowRenderFrame& pass, double start)
+{
+  glFinish();
+  this->Times.Add(pass.Coarseness, vtkTimerLog::GetUniversalTime() - start);
+  this->Refinement.End(pass.Coarseness == 1.0);
+  // If the image is shown again, nothing is drawn or uploaded.
+  this->PassReport = pass.Report;
+  this->PassReport.Passes = 0;
+  this->PassReport.UploadedBytes = 0;
+}
+
+bool FlowVolumeRenderer::IsRefinementPending() const
+{
+  return this->HasSlices ? this->Slices && this->Slices->IsRefinementPending()
+                         : this->Refinement.IsPending();
+}
+
 void FlowVolumeRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Refinement.DropImage();
   if (this->Slices)
   {
     this->Slices->ReleaseGraphicsResources(window);

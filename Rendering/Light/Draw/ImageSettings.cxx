@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace interlume
 {
@@ -34,6 +35,16 @@ void ImageSettings::Add(const vtkShadowedSliceSettings& settings)
       : settings.MaximumTextureMemory;
   }
   this->HasColoredLight = this->HasColoredLight || settings.TransmissionColor;
+}
+
+void ImageSettings::Coarsen(double coarseness)
+{
+  this->Coarseness = coarseness;
+  const auto reduce = [coarseness](int number, double factor)
+  { return static_cast<int>(std::ceil(number / (factor * coarseness))); };
+  this->LightBufferSize = reduce(this->LightBufferSize, 1.0);
+  this->MinimumBufferSize = reduce(this->MinimumBufferSize, 1.0);
+  this->NumberOfLightSamples = reduce(this->NumberOfLightSamples, coarseness);
 }
 
 }

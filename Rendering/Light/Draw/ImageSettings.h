@@ -21,6 +21,9 @@ struct ImageSettings
 {
   /// Merges the settings of a volume into these settings.
   void Add(const vtkShadowedSliceSettings& settings);
+  /// Reduces slices, light buffers and light samples for the first passes of a progressive image.
+  /// \a coarseness is above 1.
+  void Coarsen(double coarseness);
 
   bool HasShadows = false;
   int MaximumNumberOfShadowLights = 0;
@@ -35,6 +38,9 @@ struct ImageSettings
   int MinimumBufferSize = 0;
   vtkIdType MaximumTextureMemory = 0;
   bool HasColoredLight = false;
+  /// Factor for the slice spacings that volumes set, and divisor for the number of texels per voxel
+  /// of automatic light buffers.
+  double Coarseness = 1.0;
 };
 
 }

@@ -21,8 +21,6 @@ namespace interlume
 
 namespace
 {
-// Values that ChooseCoarseness may return.
-constexpr std::array<double, 5> COARSENESS_FACTORS{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
 // Light buffer columns per voxel for a custom medium, whose edges can be sharper than voxels. With
 // fewer columns, stripes appear along these edges.
 constexpr double MEDIUM_TEXELS = 2.0;
@@ -37,7 +35,7 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   settings.BufferSize = shared.LightBufferSize;
   settings.SmallerImageSize = std::min(image.Size[0], image.Size[1]);
   settings.MinimumBufferSize = shared.MinimumBufferSize;
-  settings.TexelsOfVoxel = states[0]->Medium ? MEDIUM_TEXELS : 1.0;
+  settings.TexelsOfVoxel = (states[0]->Medium ? MEDIUM_TEXELS : 1.0) / shared.Coarseness;
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
@@ -119,21 +117,6 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
     }
   }
   return bytes;
-}
-
-double SlicePlanner::ChooseCoarseness(double seconds, double lastCoarseness, double allocated)
-{
-  // Rendering time is proportional to the number of slices and to the width and height of the
-  // image. All three are inversely proportional to the coarseness.
-  const double full = seconds * std::pow(lastCoarseness, 3.0);
-  for (const double coarseness : COARSENESS_FACTORS)
-  {
-    if (full <= allocated * std::pow(coarseness, 3.0))
-    {
-      return coarseness;
-    }
-  }
-  return COARSENESS_FACTORS.back();
 }
 
 }

@@ -39,10 +39,6 @@ public:
 
   /// Returns the size of the image and light buffers in bytes.
   static vtkIdType GetBufferBytes(const ImageState& image, const States& states);
-
-  /// Returns the factor for automatic spacings that should keep rendering within the \a allocated
-  /// time, given the rendering time and the factor of the last image.
-  static double ChooseCoarseness(double seconds, double lastCoarseness, double allocated);
 };
 
 }

@@ -6,18 +6,26 @@
 #include "Draw/VolumeResources.h"
 #include "Lights/LightSources.h"
 #include "Loader/OpenGLFunctions.h"
+#include "Loader/SoftwareOpenGL.h"
 #include "Offscreen/SceneDepth.h"
 #include "Receivers/SliceScene.h"
+#include "Refinement/RenderProgress.h"
 #include "Shaders/SliceShader.h"
 #include "Space/BoxCorners.h"
 #include "Space/UnitVector.h"
 #include "Sweeps/SliceRasterizer.h"
 #include "Sweeps/SliceReport.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkSliceMedium.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
 
@@ -34,6 +42,10 @@ namespace
 // Maximum ratio of the number of slices needed to render volumes together to the number needed to
 // render them separately.
 constexpr double MAXIMUM_SLICE_RATIO = 8.0;
+/// Estimated time per pixel, slice, and light or image, of software OpenGL with one thread, and of
+/// a GPU.
+constexpr double SOFTWARE_SECONDS = 2e-8;
+constexpr double GPU_SECONDS = 1e-10;
 
 std::array<double, 6> GetBounds(const VolumeResources* volume)
 {
@@ -163,7 +175,28 @@ double SliceRenderer::ChooseCoarseness(const Volumes& volumes) const
   {
     allocated += volume->GetRequest().Volume->GetAllocatedRenderTime();
   }
-  return SlicePlanner::ChooseCoarseness(this->LastSeconds, this->LastCoarseness, allocated);
+  return PassTimes::ChooseCoarseness(this->LastSeconds, this->LastCoarseness, allocated);
+}
+
+double SliceRenderer::BeginPass(vtkRenderer* renderer, const VolumeResources& volume)
+{
+  const VolumeResources::Request& request = volume.GetRequest();
+  std::array<int, 2> size{};
+  std::array<int, 2> origin{};
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const int* dimensions = request.Image->GetDimensions();
+  const double samples = *std::max_element(dimensions, dimensions + 3) /
+    SlicePlanner::AutomaticSpacing * size[0] * size[1] *
+    (1.0 + renderer->GetLights()->GetNumberOfItems());
+  const bool isSoftware =
+    SoftwareOpenGL::IsUsed(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  const double estimate = samples *
+    (isSoftware ? SOFTWARE_SECONDS / vtkSMPTools::GetEstimatedNumberOfThreads() : GPU_SECONDS);
+  ImageKey key(renderer, request.Volume, request.Volume->GetMapper());
+  key.Add(request.Scalars);
+  key.Add(request.Medium);
+  return this->Refinement.Begin(renderer, request.Volume, key,
+    this->Times.GetFinalSeconds(size, estimate), request.Volume->GetAllocatedRenderTime());
 }
 
 void SliceRenderer::UpdateView(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
@@ -232,6 +265,7 @@ Error SliceRenderer::MakePlan(const Volumes& volumes, double coarseness, SliceRe
   for (const VolumeResources* volume : volumes)
   {
     sliced.push_back(volume->GetSlicedVolume());
+    sliced.back().Spacing *= this->Settings.Coarseness;
     states.push_back(&volume->GetState());
     bytes += volume->GetTextureBytes();
   }
@@ -292,7 +326,8 @@ Error SliceRenderer::DrawSlices(vtkRenderer* renderer, const Volumes& volumes, S
   {
     rasterizer = std::make_unique<SliceRasterizer>();
   }
-  Error error = rasterizer->Draw(renderer, this->Image, drawn, report);
+  RenderProgress progress(window, volumes[0]->GetRequest().Volume->GetMapper());
+  Error error = rasterizer->Draw(renderer, this->Image, drawn, progress, report);
   for (std::size_t i = 0; i < volumes.size() && !error && this->Image.Scene; ++i)
   {
     // The scattered light of one volume is computed from the media of all volumes, so it must be
@@ -307,32 +342,67 @@ Error SliceRenderer::DrawSlices(vtkRenderer* renderer, const Volumes& volumes, S
 
 Error SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene)
 {
-  const double start = vtkTimerLog::GetUniversalTime();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->IsShown = false;
   Error error = SliceRasterizer::FindError(window);
-  const Volumes drawn = error ? Volumes() : this->UpdateVolumes(window, volumes);
-  if (drawn.empty())
+  const bool isSelection = renderer->GetSelector() != nullptr;
+  this->IsRefined = !error && !scene && !isSelection && volumes.size() == 1 &&
+    volumes[0]->GetRequest().Settings.ProgressiveRendering;
+  const double seconds = this->IsRefined ? this->BeginPass(renderer, *volumes[0]) : 0.0;
+  if (this->IsRefined && seconds == ImageRefinement::REUSED)
   {
-    return error;
+    volumes[0]->ReuseReport();
+    return {};
   }
-  const double coarseness = this->ChooseCoarseness(drawn);
-  SliceReport report;
-  this->UpdateView(renderer, drawn, coarseness, scene, report);
-  error = this->UpdateScattering(renderer, drawn)
-            .Then([&] { return this->MakePlan(drawn, coarseness, report); })
-            .Then([&] { return this->DrawSlices(renderer, drawn, report); });
-  if (!error)
+  if (isSelection)
   {
-    this->LastCoarseness = coarseness;
-    if (this->Settings.AutoAdjustSampleDistances)
+    // The selection overwrites the image.
+    this->Refinement.DropImage();
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  const Volumes drawn = error ? Volumes() : this->UpdateVolumes(window, volumes);
+  if (!drawn.empty())
+  {
+    error = this->DrawUpdated(renderer, drawn,
+      this->IsRefined ? this->Times.Choose(seconds) : this->ChooseCoarseness(drawn), scene, start);
+  }
+  if (error || drawn.empty() || (!this->IsRefined && !isSelection))
+  {
+    this->Refinement.Clear();
+  }
+  return error;
+}
+
+Error SliceRenderer::DrawUpdated(
+  vtkRenderer* renderer, const Volumes& volumes, double coarseness, SliceScene* scene, double start)
+{
+  const double updated = vtkTimerLog::GetUniversalTime();
+  SliceReport report;
+  this->UpdateView(renderer, volumes, coarseness, scene, report);
+  Error error = this->UpdateScattering(renderer, volumes);
+  if (this->IsRefined && coarseness > 1.0)
+  {
+    this->Settings.Coarsen(coarseness);
+  }
+  error = error.Then([&] { return this->MakePlan(volumes, coarseness, report); })
+            .Then([&] { return this->DrawSlices(renderer, volumes, report); });
+  if (!error && this->Find(renderer)->IsComplete())
+  {
+    if (this->Settings.AutoAdjustSampleDistances || this->IsRefined)
     {
       glFinish();
-      this->LastSeconds = vtkTimerLog::GetUniversalTime() - start;
     }
+    const double now = vtkTimerLog::GetUniversalTime();
+    if (this->IsRefined)
+    {
+      this->Times.Add(coarseness, now - updated);
+      this->Refinement.End(coarseness == 1.0);
+    }
+    this->LastCoarseness = coarseness;
+    this->LastSeconds = this->Settings.AutoAdjustSampleDistances ? now - start : this->LastSeconds;
   }
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
-  for (VolumeResources* volume : drawn)
+  for (VolumeResources* volume : volumes)
   {
     volume->SetReport(report,
       error ? std::string()
@@ -370,6 +440,7 @@ bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkI
 
 void SliceRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Refinement.DropImage();
   for (auto& rasterizer : this->Windows)
   {
     if (!window || rasterizer.first == window)

@@ -5,6 +5,8 @@
 #include "Common/Error.h"
 #include "Draw/ImageSettings.h"
 #include "Plan/SlicePlan.h"
+#include "Refinement/ImageRefinement.h"
+#include "Refinement/PassTimes.h"
 #include "Shaders/ImageState.h"
 #include "Space/UnitSpace.h"
 
@@ -51,6 +53,9 @@ public:
    */
   Error Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene);
 
+  /// Returns true if the last image was not final.
+  bool IsRefinementPending() const { return this->Refinement.IsPending(); }
+
   /// Composites the image over the bound framebuffer. Repeated calls after one Draw have no effect.
   /// During a selection, draws the selector's color where the volumes are visible.
   void Show(vtkRenderer* renderer);
@@ -64,7 +69,13 @@ private:
   /// Updates the volumes, sorts those without errors and transforms them to one unit space.
   Volumes UpdateVolumes(vtkOpenGLRenderWindow* window, const Volumes& volumes);
   void MoveToSharedSpace(const Volumes& volumes);
+  /// Returns the coarseness for the time that the renderer allocates.
   double ChooseCoarseness(const Volumes& volumes) const;
+  /// Begins a pass of a progressive image. Returns its time in seconds, as ImageRefinement::Begin.
+  double BeginPass(vtkRenderer* renderer, const VolumeResources& volume);
+  /// Draws volumes whose data are updated. \a start is the time at which the image began.
+  Error DrawUpdated(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
+    SliceScene* scene, double start);
   /// Updates the camera, lights and image size.
   void UpdateView(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
     SliceScene* scene, SliceReport& report);
@@ -81,10 +92,15 @@ private:
   /// Unit space of the last image.
   UnitSpace Space;
   bool IsShown = false;
+  /// If true, the current image is a pass of a progressive image.
+  bool IsRefined = false;
   std::map<vtkWindow*, std::unique_ptr<SliceRasterizer>> Windows;
   /// Rendering time of the last image in seconds, and its coarseness.
   double LastSeconds = 0.0;
   double LastCoarseness = 1.0;
+  /// Passes of progressive images, and their times after the data were updated.
+  ImageRefinement Refinement;
+  PassTimes Times;
 };
 
 }

@@ -59,6 +59,12 @@ public:
   /// Composites the image over the bound framebuffer.
   void Show(vtkRenderer* renderer);
 
+  /// Returns true if the last image was not final.
+  bool IsRefinementPending() const
+  {
+    return this->IsValid() && !this->Together && this->OwnRenderer.IsRefinementPending();
+  }
+
   const VolumeResources::Request& GetRequest() const { return this->Volume.GetRequest(); }
   const VolumeResources::Result& GetResult() const { return this->Volume.GetResult(); }
   const SliceReport& GetReport() const { return this->Volume.GetReport(); }

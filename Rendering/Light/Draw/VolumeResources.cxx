@@ -88,6 +88,7 @@ void VolumeResources::SetRequest(const Request& request, const Error& error)
   this->CurrentRequest = request;
   this->Results = Result();
   this->Results.Error = error;
+  this->PreviousReport = this->Report;
   this->Report = SliceReport();
   this->UploadedBytes = 0;
 }
@@ -333,6 +334,19 @@ void VolumeResources::SetReport(const SliceReport& shared, const std::string& fe
   this->Scatterer.Fill(this->Report);
   this->Report.ScatteringBytes =
     static_cast<vtkIdType>(sizeof(float) * this->State.Scattering.Texels.size());
+}
+
+void VolumeResources::ReuseReport()
+{
+  this->Report = this->PreviousReport;
+  for (int* passes : { &this->Report.SlicesDrawn, &this->Report.ImagePasses,
+         &this->Report.LightPasses, &this->Report.OcclusionPasses, &this->Report.SoftShadowPasses })
+  {
+    *passes = 0;
+  }
+  this->Report.UploadedBytes = 0;
+  this->Report.TriangleBytes = 0;
+  this->Report.Seconds = 0.0;
 }
 
 void VolumeResources::ReleaseGraphicsResources(vtkWindow* window)

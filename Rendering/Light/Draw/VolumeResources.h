@@ -102,6 +102,9 @@ public:
   /// values of this volume.
   void SetReport(const SliceReport& shared, const std::string& features);
 
+  /// Sets the report to the report of the previous image, which is shown again without any passes.
+  void ReuseReport();
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -113,6 +116,7 @@ private:
   Request CurrentRequest;
   Result Results;
   SliceReport Report;
+  SliceReport PreviousReport;
   VolumeRenderState State;
   /// Inputs from which the samples and the material were last computed, to detect changes.
   vtkDataArray* Scalars = nullptr;

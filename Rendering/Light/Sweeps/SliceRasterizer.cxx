@@ -6,6 +6,7 @@
 #include "Loader/ScopedGLState.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/SceneDepth.h"
+#include "Refinement/RenderProgress.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
 #include "Space/UnitSpace.h"
@@ -27,6 +28,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace interlume
 {
@@ -197,7 +199,7 @@ Error SliceRasterizer::DrawSweeps()
   state->vtkglDepthFunc(GL_LESS);
   const SlicePlan& plan = this->State->Plan;
   Error error = this->PrepareImage();
-  for (std::size_t i = 0; i < plan.Sweeps.size() && !error; ++i)
+  for (std::size_t i = 0; i < plan.Sweeps.size() && !error && !this->IsAborted; ++i)
   {
     error = this->DrawSweep(i);
     if (!error && plan.IsLastInImage(i) && !plan.IsInFirstImage(i))
@@ -209,11 +211,16 @@ Error SliceRasterizer::DrawSweeps()
 }
 
 Error SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image,
-  const std::vector<Volume>& volumes, SliceReport& report)
+  const std::vector<Volume>& volumes, RenderProgress& progress, SliceReport& report)
 {
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->State = &image;
+  this->Progress = &progress;
   this->Report = &report;
+  this->Slabs = std::accumulate(image.Plan.Sweeps.begin(), image.Plan.Sweeps.end(), 0,
+    [](int sum, const Sweep& sweep) { return sum + sweep.Slabs; });
+  this->CompleteSlabs = 0;
+  this->IsAborted = false;
   this->SetVolumes(volumes);
   this->UpdateOpaqueDepth(renderer);
   for (const std::unique_ptr<SliceLightBuffer>& buffer : this->Lights)
@@ -236,7 +243,7 @@ Error SliceRasterizer::Draw(vtkRenderer* renderer, const ImageState& image,
       std::max(report.LightBufferSize, static_cast<int>(buffer->GetTexture()->GetWidth()));
     report.LightChannels = buffer->GetTexture()->GetComponents();
   }
-  this->HasImage = !error;
+  this->HasImage = !error && !this->IsAborted;
   return error;
 }
 
@@ -417,6 +424,14 @@ bool SliceRasterizer::IsEmpty(int slab) const
     [slab](const std::unique_ptr<VolumeSlices>& slices) { return slices->IsEmpty(slab); });
 }
 
+bool SliceRasterizer::CheckAbort()
+{
+  const double fraction = static_cast<double>(this->CompleteSlabs) / this->Slabs;
+  ++this->CompleteSlabs;
+  this->IsAborted = this->Progress->IsAborted(fraction);
+  return this->IsAborted;
+}
+
 Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
 {
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
@@ -442,7 +457,7 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
   const int interval =
     this->HasThickPart || this->IsDense ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
   int drawn = 0;
-  for (int slab = 0; slab < sweep.Slabs && this->Window->CheckAbortStatus() == 0; ++slab)
+  for (int slab = 0; slab < sweep.Slabs && !this->CheckAbort(); ++slab)
   {
     const bool isEmpty = this->IsEmpty(slab);
     for (std::size_t i = 0; i < sweep.Lights.size() && !isEmpty; ++i)

@@ -31,6 +31,7 @@ class vtkWindow;
 namespace interlume
 {
 
+class RenderProgress;
 struct SliceReport;
 
 /**
@@ -64,11 +65,14 @@ public:
 
   /**
    * Draws all sweeps into the image buffer. The Number of each volume's state must be its index in
-   * \a volumes. Stops between slabs if the user aborts. Returns an error if the image is incomplete
-   * for another reason.
+   * \a volumes. Stops between slabs if \a progress is aborted. Returns an error if the image is
+   * incomplete for another reason.
    */
   Error Draw(vtkRenderer* renderer, const ImageState& image, const std::vector<Volume>& volumes,
-    SliceReport& report);
+    RenderProgress& progress, SliceReport& report);
+
+  /// Returns true if the last image was drawn without errors and was not aborted.
+  bool IsComplete() const { return this->HasImage; }
 
   /// Returns true if opaque surfaces occluded volumes in the last image.
   bool IsOccluded() const { return this->Opaque != nullptr; }
@@ -94,6 +98,8 @@ private:
   void ReleaseUnusedLights();
   Error DrawSweeps();
   Error DrawSweep(std::size_t sweepIndex);
+  /// Reports the progress before the next slab. Returns true if the image is aborted.
+  bool CheckAbort();
   /// Finds the order of the volumes, and sets HasThickPart, IsDense and HasMarks.
   void FindOrder(std::size_t sweepIndex);
   /// Prepares the programs of all volumes.
@@ -126,8 +132,13 @@ private:
   /// Arguments of Draw.
   vtkOpenGLRenderWindow* Window = nullptr;
   const ImageState* State = nullptr;
+  RenderProgress* Progress = nullptr;
   SliceReport* Report = nullptr;
   ///@}
+  /// Number of slabs of all sweeps, and number of slabs that are complete.
+  int Slabs = 0;
+  int CompleteSlabs = 0;
+  bool IsAborted = false;
   std::vector<std::unique_ptr<VolumeSlices>> Slices;
   /// Index of the volume whose textures are bound.
   std::size_t Bound = 0;

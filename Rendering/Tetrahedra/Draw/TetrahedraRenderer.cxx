@@ -9,6 +9,7 @@
 #include "OpenGL/OpenGLRasterizer.h"
 #include "OpenGL/TetrahedraSelection.h"
 #include "Pieces/PieceExchange.h"
+#include "Refinement/RenderProgress.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -28,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -46,6 +48,16 @@ constexpr double GPU_SECONDS = 1e-8;
 /// Tolerance of the transfer functions of subsets. Segments that cross control points of curved
 /// functions or color tables take a large part of the time.
 constexpr double SUBSET_TOLERANCE = 0.01;
+/// Level of detail of samples: half of the tetrahedra, and half of the image's width and height.
+constexpr int SAMPLE_LEVEL = 2;
+
+/// Returns the estimated time per unit of LevelOfDetail::GetCost().
+double GetCostSeconds(int renderPath)
+{
+  return renderPath == Mapper::OPENGL_PATH
+    ? GPU_SECONDS
+    : CPU_SECONDS / vtkSMPTools::GetEstimatedNumberOfThreads();
+}
 
 TetrahedraFrame::Blends GetBlend(int mode)
 {
@@ -97,13 +109,17 @@ TetrahedraRenderer::TetrahedraRenderer() = default;
 
 TetrahedraRenderer::~TetrahedraRenderer() = default;
 
+bool TetrahedraRenderer::IsMeshCurrent(const Request& request) const
+{
+  return this->MeshState.Grid == request.Grid && this->MeshState.Time == request.Grid->GetMTime() &&
+    this->MeshState.Arrays == request.Arrays;
+}
+
 Error TetrahedraRenderer::UpdateMesh(const Request& request, TetrahedraReport& report)
 {
   const MeshKey& before = this->MeshState;
   const TetrahedraArrays& arrays = request.Arrays;
-  const bool isSame = before.Grid == request.Grid && before.Time == request.Grid->GetMTime() &&
-    before.Arrays == arrays;
-  if (isSame)
+  if (this->IsMeshCurrent(request))
   {
     return {};
   }
@@ -133,6 +149,7 @@ Error TetrahedraRenderer::UpdateMesh(const Request& request, TetrahedraReport& r
     this->Full.Order.ResetLayers();
   }
   this->MeshState = { request.Grid, request.Grid->GetMTime(), arrays };
+  this->Full.Mesh.CellStride = request.CellStride;
   ++this->Full.Frame.Versions.Values;
   return {};
 }
@@ -295,22 +312,99 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
   return order;
 }
 
-int TetrahedraRenderer::ChooseLevel(
+double TetrahedraRenderer::BeginPass(
   vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
+{
+  if (renderer->GetSelector())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double allocated = volume->GetAllocatedRenderTime();
+  if (!request.Mapper->GetProgressiveRendering() || request.CellStride > 1)
+  {
+    this->Refinement.Clear();
+    return request.Mapper->GetAutoAdjustLevelOfDetail() ? allocated
+                                                        : std::numeric_limits<double>::infinity();
+  }
+  this->ChooseRenderPath(
+    request, vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), report);
+  if (this->IsMeshCurrent(request))
+  {
+    this->UpdateLevels(renderer, report);
+  }
+  const double fullSeconds = this->IsMeshCurrent(request)
+    ? this->LevelOfDetail.GetExpectedSeconds(0)
+    : 2.0 * GetCostSeconds(report.RenderPath) *
+      static_cast<double>(request.Grid->GetNumberOfCells());
+  const double seconds = this->Refinement.Begin(
+    renderer, volume, ImageKey(renderer, volume, request.Mapper), fullSeconds, allocated);
+  // DrawInSoftware shows the last image again if nothing has changed.
+  return seconds == ImageRefinement::REUSED ? std::numeric_limits<double>::infinity() : seconds;
+}
+
+Error TetrahedraRenderer::EndPass(const Error& error, bool isFinal)
+{
+  if (error)
+  {
+    this->Refinement.Clear();
+  }
+  else
+  {
+    this->Refinement.End(isFinal);
+  }
+  return error;
+}
+
+bool TetrahedraRenderer::NeedsSample(
+  const Request& request, vtkVolume* volume, double seconds) const
+{
+  if (!request.Mapper->GetProgressiveRendering() || request.CellStride > 1 ||
+    seconds > ImageRefinement::FIRST_SECONDS ||
+    request.Grid->GetNumberOfCells() < 2 * GridSample::SIZE)
+  {
+    return false;
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  const bool isColored = this->Property == property && this->PropertyTime == property->GetMTime();
+  const bool needsSubset = this->LevelOfDetail.GetExpectedSeconds(1) > seconds;
+  return !this->IsMeshCurrent(request) ||
+    (needsSubset && (!isColored || this->Reduced.Mesh.Corners.empty()));
+}
+
+Error TetrahedraRenderer::RenderSample(
+  vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report)
+{
+  this->Sample.Update(request.Grid, request.Arrays);
+  if (!this->SampleRenderer)
+  {
+    this->SampleRenderer = std::make_unique<TetrahedraRenderer>();
+  }
+  Request sampled = request;
+  sampled.Grid = this->Sample.GetGrid();
+  sampled.Arrays = this->Sample.GetArrays();
+  sampled.Boundary = nullptr;
+  sampled.CellStride = this->Sample.GetStride();
+  return this->SampleRenderer->Render(renderer, volume, sampled, report);
+}
+
+void TetrahedraRenderer::UpdateLevels(vtkRenderer* renderer, TetrahedraReport& report)
 {
   const std::array<int, 4> conditions{ { report.RenderPath, renderer->GetSize()[0],
     renderer->GetSize()[1], this->Full.Frame.Versions.Mesh } };
-  const std::uint32_t tetrahedra = this->Full.Mesh.GetNumberOfTetrahedra();
   if (conditions != this->LevelConditions)
   {
-    this->LevelOfDetail.Reset(tetrahedra,
-      report.RenderPath == Mapper::OPENGL_PATH
-        ? GPU_SECONDS
-        : CPU_SECONDS / vtkSMPTools::GetEstimatedNumberOfThreads());
+    this->LevelOfDetail.Reset(
+      this->Full.Mesh.GetNumberOfTetrahedra(), GetCostSeconds(report.RenderPath));
     this->LevelConditions = conditions;
   }
-  const bool isAdjusted = request.Mapper->GetAutoAdjustLevelOfDetail() && !renderer->GetSelector();
-  const int level = isAdjusted ? this->LevelOfDetail.Choose(volume->GetAllocatedRenderTime()) : 0;
+}
+
+int TetrahedraRenderer::ChooseLevel(
+  vtkRenderer* renderer, double seconds, const Request& request, TetrahedraReport& report)
+{
+  this->UpdateLevels(renderer, report);
+  const std::uint32_t tetrahedra = this->Full.Mesh.GetNumberOfTetrahedra();
+  const int level = request.CellStride > 1 ? SAMPLE_LEVEL : this->LevelOfDetail.Choose(seconds);
   report.PixelStride = this->LevelOfDetail.GetPixelStride(level);
   const std::uint32_t subset = this->LevelOfDetail.GetSubsetSize(level);
   report.TetrahedronStride = subset > 0 ? static_cast<int>(tetrahedra / subset) : 1;
@@ -407,7 +501,7 @@ Error TetrahedraRenderer::ClipMesh(const Request& request, const std::vector<std
   return {};
 }
 
-void TetrahedraRenderer::DrawFrame(
+bool TetrahedraRenderer::DrawFrame(
   vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report)
 {
   if (report.RenderPath == Mapper::OPENGL_PATH)
@@ -423,10 +517,8 @@ void TetrahedraRenderer::DrawFrame(
       report.ShaderReason.clear();
     }
   }
-  if (report.RenderPath == Mapper::SOFTWARE_PATH)
-  {
-    this->DrawInSoftware(renderer, resources, report);
-  }
+  return report.RenderPath != Mapper::SOFTWARE_PATH ||
+    this->DrawInSoftware(renderer, volume, resources, report);
 }
 
 TetrahedraRenderer::WindowResources& TetrahedraRenderer::GetResources(vtkWindow* window)
@@ -467,16 +559,27 @@ Error TetrahedraRenderer::Render(
 Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
   const Request& request, vtkOpenGLRenderWindow& window, TetrahedraReport& report)
 {
+  const double seconds = this->BeginPass(renderer, volume, request, report);
+  if (this->NeedsSample(request, volume, seconds))
+  {
+    Error error = this->RenderSample(renderer, volume, request, report);
+    report.Tetrahedra = request.Grid->GetNumberOfCells();
+    return this->EndPass(error, false);
+  }
   Error error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
-  if (error || this->Full.Mesh.Corners.empty() || window.CheckAbortStatus())
+  if (error || this->Full.Mesh.Corners.empty())
   {
-    return error;
+    return this->EndPass(error, true);
+  }
+  if (window.CheckAbortStatus())
+  {
+    return {};
   }
   this->ChooseBlend(request, report);
   this->ChooseRenderPath(request, &window, report);
   this->ChooseShader(request, &window, report);
-  const int level = this->ChooseLevel(renderer, volume, request, report);
+  const int level = this->ChooseLevel(renderer, seconds, request, report);
   error =
     this->UpdateFrame(renderer, volume, request, this->LevelOfDetail.GetSubsetSize(level), report);
   // Changes of the data take time only once, so the level of detail does not depend on it.
@@ -484,7 +587,7 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
   error = error ? error : this->ArrangeFrame(request, report);
   if (error)
   {
-    return error;
+    return this->EndPass(error, true);
   }
   WindowResources& resources = this->GetResources(&window);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
@@ -492,19 +595,22 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
     this->Select(renderer, selector, resources);
     return {};
   }
-  this->DrawFrame(renderer, volume, resources, report);
+  if (!this->DrawFrame(renderer, volume, resources, report))
+  {
+    return {};
+  }
   if (request.Mapper->GetAutoAdjustLevelOfDetail() && report.RenderPath == Mapper::OPENGL_PATH)
   {
     // OpenGL is asynchronous. Wait, because the level of detail depends on the time until drawing
     // is complete.
     glFinish();
   }
-  // The software path may show the previous image again, or stop.
+  // The software path may show the previous image again.
   if (report.RenderPath == Mapper::OPENGL_PATH || report.UploadedImageBytes > 0)
   {
     this->LevelOfDetail.AddMeasurement(level, vtkTimerLog::GetUniversalTime() - start);
   }
-  return {};
+  return this->EndPass({}, level == 0);
 }
 
 Error TetrahedraRenderer::DrawWithOpenGL(
@@ -524,8 +630,8 @@ Error TetrahedraRenderer::DrawWithOpenGL(
   return error;
 }
 
-void TetrahedraRenderer::DrawInSoftware(
-  vtkRenderer* renderer, WindowResources& resources, TetrahedraReport& report)
+bool TetrahedraRenderer::DrawInSoftware(
+  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report)
 {
   this->ReadDepth(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -534,10 +640,11 @@ void TetrahedraRenderer::DrawInSoftware(
   // Reuse the image if neither the camera nor the scene changed.
   if (!(resources.Drawn == state))
   {
-    const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
-    if (!this->Rasterizer.Draw(this->Shown->Frame, isAborted))
+    RenderProgress progress(window, volume->GetMapper());
+    if (!this->Rasterizer.Draw(this->Shown->Frame,
+          [&progress](double fraction) { return progress.IsAborted(fraction); }))
     {
-      return;
+      return false;
     }
     report.UploadedImageBytes = resources.Quad.Upload(window, this->Shown->Frame.View.GetWidth(),
       this->Shown->Frame.View.GetHeight(), this->Rasterizer.GetColors());
@@ -549,6 +656,7 @@ void TetrahedraRenderer::DrawInSoftware(
   report.BufferBytes = 16 * static_cast<vtkIdType>(this->Shown->Frame.View.GetWidth()) *
     this->Shown->Frame.View.GetHeight();
   resources.Quad.Draw(window);
+  return true;
 }
 
 Error TetrahedraRenderer::UpdatePiece(
@@ -753,6 +861,7 @@ vtkIdType TetrahedraRenderer::GetMemoryBytes() const
 {
   std::size_t bytes =
     this->MeshBuilder.GetBytes() + this->Rasterizer.GetBytes() + this->Subset.GetBytes();
+  bytes += this->SampleRenderer ? this->SampleRenderer->GetMemoryBytes() : 0;
   const auto add = [&bytes](const auto& values) { bytes += values.capacity() * sizeof(values[0]); };
   for (const Detail* detail : { &this->Full, &this->Reduced })
   {
@@ -784,6 +893,10 @@ std::string TetrahedraRenderer::GetFeatures() const
 
 void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (this->SampleRenderer)
+  {
+    this->SampleRenderer->ReleaseGraphicsResources(window);
+  }
   for (auto& resources : this->Windows)
   {
     if (!window || resources.first == window)

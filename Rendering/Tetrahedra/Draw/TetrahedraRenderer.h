@@ -12,7 +12,9 @@
 #include "Mesh/MeshBuilder.h"
 #include "Mesh/TetrahedraBuilder.h"
 #include "Order/BoundaryFaces.h"
+#include "Mesh/GridSample.h"
 #include "Order/TetrahedraOrder.h"
+#include "Refinement/ImageRefinement.h"
 #include "Software/SoftwareRasterizer.h"
 #include "View/OpaqueSceneDepth.h"
 
@@ -59,6 +61,9 @@ public:
     /// Communication with the other processes, or null if only this input is drawn. If not null,
     /// Grid may be null.
     const PieceExchange* Pieces = nullptr;
+    /// Number of input cells per cell of Grid; above 1 if Grid is a sample, which is drawn in
+    /// reduced detail.
+    int CellStride = 1;
   };
 
   /**
@@ -66,6 +71,9 @@ public:
    */
   Error Render(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
+
+  /// Returns true if the last image was not final.
+  bool IsRefinementPending() const { return this->Refinement.IsPending(); }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -86,9 +94,22 @@ private:
   void ChooseShader(
     const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report);
   void ChooseSort(const Request& request, TetrahedraReport& report);
-  /// Returns the level of detail; 0 is full detail.
-  int ChooseLevel(
+  /// Begins a pass of a progressive image. Returns the time for this image in seconds.
+  double BeginPass(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
+  /// Ends a complete image. Returns \a error.
+  Error EndPass(const Error& error, bool isFinal);
+  bool IsMeshCurrent(const Request& request) const;
+  /// Returns true if no mesh or subset exists that can be drawn in \a seconds.
+  bool NeedsSample(const Request& request, vtkVolume* volume, double seconds) const;
+  /// Draws a sample of the input.
+  Error RenderSample(
+    vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
+  /// Clears the measured times if they do not apply to this image.
+  void UpdateLevels(vtkRenderer* renderer, TetrahedraReport& report);
+  /// Returns the level of detail for an image that may take \a seconds; 0 is full detail.
+  int ChooseLevel(
+    vtkRenderer* renderer, double seconds, const Request& request, TetrahedraReport& report);
   /// Updates the changed parts of the frame, and sets Shown. If \a subset is not 0, draws a subset
   /// of this size. Returns an error if the frame cannot be drawn.
   Error UpdateFrame(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
@@ -99,13 +120,16 @@ private:
   /// Cuts the mesh at the near plane and the clipping planes, and sets the frame's drawing order.
   /// Returns an error if a clipping plane is invalid.
   Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
-  void DrawFrame(
+  /// Returns false if the image was aborted.
+  bool DrawFrame(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
   bool HasSingleColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(const Request& request, TetrahedraReport& report);
   Error DrawWithOpenGL(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
-  void DrawInSoftware(vtkRenderer* renderer, WindowResources& resources, TetrahedraReport& report);
+  /// Returns false if the image was aborted.
+  bool DrawInSoftware(
+    vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
   /// Draws the image of this process's partition.
   Error RenderMesh(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     vtkOpenGLRenderWindow& window, TetrahedraReport& report);
@@ -175,6 +199,10 @@ private:
   /// Simplified transfer functions, and the version of the colors that they were built from.
   PiecewiseLinearTransferFunction SubsetPieces;
   int SubsetColors = 0;
+  ImageRefinement Refinement;
+  /// Sample of the input, and the renderer that draws it; null without a sample.
+  GridSample Sample;
+  std::unique_ptr<TetrahedraRenderer> SampleRenderer;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };
 

@@ -353,7 +353,7 @@ void TetrahedraSubset::Enlarge(const TetrahedraFrame& frame, std::uint32_t rank,
   TetrahedraMesh& mesh, TetrahedraFields& fields) const
 {
   const std::uint32_t* corners = frame.Mesh->GetCorners(this->Ranked[rank]);
-  const double weight = this->GetWeight(rank, this->Number);
+  const double weight = frame.Mesh->CellStride * this->GetWeight(rank, this->Number);
   const bool hasTriangle = this->SurfaceOpacity > 0.0f && fields.Faces[rank] != 0;
   const double factor = hasTriangle ? std::sqrt(weight) : std::cbrt(weight);
   glm::dvec3 center(0.0);

@@ -42,6 +42,8 @@ struct TetrahedraMesh
   /// Index of the input cell of each tetrahedron; empty if cells and tetrahedra have the same
   /// indices.
   std::vector<std::uint32_t> Cells;
+  /// Number of input cells that each tetrahedron represents; above 1 for a sample of the input.
+  int CellStride = 1;
 
   std::uint32_t GetNumberOfTetrahedra() const
   {

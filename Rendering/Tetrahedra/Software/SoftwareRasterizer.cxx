@@ -5,6 +5,7 @@
 
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
+#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <memory>
@@ -14,14 +15,17 @@ namespace interlume
 
 namespace
 {
-/// Number of tiles per thread after which to check whether to abort.
+/// Number of tiles per thread after which to check whether to abort. It is halved while that many
+/// tiles take longer than GROUP_SECONDS.
 constexpr vtkIdType TILES_PER_THREAD = 8;
+constexpr double GROUP_SECONDS = 0.1;
 }
 
-bool SoftwareRasterizer::Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted)
+bool SoftwareRasterizer::Draw(
+  const TetrahedraFrame& frame, const std::function<bool(double fraction)>& isAborted)
 {
-  const auto stops = [&isAborted]() { return isAborted && isAborted(); };
-  if (stops())
+  const auto stops = [&isAborted](double fraction) { return isAborted && isAborted(fraction); };
+  if (stops(0.0))
   {
     return false;
   }
@@ -33,16 +37,19 @@ bool SoftwareRasterizer::Draw(const TetrahedraFrame& frame, const std::function<
   this->Tetrahedra.resize(isSelection ? pixels : 0);
   this->Depths.resize(isSelection ? pixels : 0);
   const vtkIdType tiles = this->Bins.GetNumberOfTiles();
-  const vtkIdType group = isAborted
-    ? TILES_PER_THREAD * static_cast<vtkIdType>(vtkSMPTools::GetEstimatedNumberOfThreads())
-    : tiles;
-  for (vtkIdType begin = 0; begin < tiles; begin += group)
+  const auto threads = static_cast<vtkIdType>(vtkSMPTools::GetEstimatedNumberOfThreads());
+  vtkIdType group = isAborted ? TILES_PER_THREAD * threads : tiles;
+  for (vtkIdType begin = 0, end = 0; begin < tiles; begin = end)
   {
-    if (stops())
+    if (stops(static_cast<double>(begin) / static_cast<double>(tiles)))
     {
       return false;
     }
-    this->DrawTiles(frame, begin, std::min(begin + group, tiles));
+    const double start = vtkTimerLog::GetUniversalTime();
+    end = std::min(begin + group, tiles);
+    this->DrawTiles(frame, begin, end);
+    const bool isSlow = vtkTimerLog::GetUniversalTime() - start > GROUP_SECONDS;
+    group = isSlow ? std::max(group / 2, threads) : group;
   }
   return true;
 }

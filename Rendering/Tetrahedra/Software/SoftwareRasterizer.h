@@ -24,8 +24,9 @@ class SoftwareRasterizer
 {
 public:
   /// Draws an image. Returns false if \a isAborted returned true. It is called between groups of
-  /// tiles, in the calling thread.
-  bool Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted = nullptr);
+  /// tiles, in the calling thread, with the completed fraction of the image.
+  bool Draw(
+    const TetrahedraFrame& frame, const std::function<bool(double fraction)>& isAborted = nullptr);
 
   /// Returns RGBA values, row by row from the bottom: premultiplied by opacity, or sums or maxima
   /// if TetrahedraFrame::IsSum is true. Empty with SELECTION.
