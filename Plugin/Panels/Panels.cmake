@@ -19,13 +19,23 @@ paraview_plugin_add_auto_start(
   SHUTDOWN   shutdown
   INTERFACES search_interfaces
   SOURCES    search_sources)
-list(APPEND panel_interfaces ${area_light_interfaces} ${search_interfaces})
+paraview_plugin_add_auto_start(
+  CLASS_NAME pqProgressiveViews
+  STARTUP    startup
+  SHUTDOWN   shutdown
+  INTERFACES progressive_interfaces
+  SOURCES    progressive_sources)
+list(APPEND panel_interfaces
+  ${area_light_interfaces} ${progressive_interfaces} ${search_interfaces})
 list(APPEND panel_sources
   ${area_light_sources}
+  ${progressive_sources}
   ${search_sources}
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHyphenInSearch.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHyphenInSearch.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.cxx"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.h")
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.h"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.h")

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkProgressiveVolumes_h
+#define vtkProgressiveVolumes_h
+
+#include "InterlumeRepresentationsModule.h" // for the export macro
+
+class vtkRenderer;
+
+/**
+ * @class   vtkProgressiveVolumes
+ * @brief   sets and queries ProgressiveRendering of all of Interlume's volume mappers in a renderer
+ */
+namespace vtkProgressiveVolumes
+{
+/// Turns progressive rendering of all volumes on or off.
+INTERLUMEREPRESENTATIONS_EXPORT void Set(vtkRenderer* renderer, bool isProgressive);
+/// Returns true if the last image of a visible volume was not final.
+INTERLUMEREPRESENTATIONS_EXPORT bool IsPending(vtkRenderer* renderer);
+}
+
+#endif
