@@ -52,11 +52,8 @@ public:
   /// one.
   int Choose(double allocated)
   {
-    constexpr double margin = 0.7;
     int level = 0;
-    while (
-      level<this->Last&& this->GetExpectedSeconds(level)>(level < this->Current ? margin : 1.0) *
-      allocated)
+    while (level<this->Last&& this->GetExpectedSeconds(level)> this->GetMargin(level) * allocated)
     {
       ++level;
     }
@@ -107,6 +104,21 @@ public:
   }
 
 private:
+  static constexpr int FIRST_SUBSET = 2;
+
+  /// Returns the fraction of the allocated time that a level is allowed to take.
+  double GetMargin(int level) const
+  {
+    constexpr double finerMargin = 0.7;
+    // The first subset takes longer than the mesh lets expect, and must be built.
+    constexpr double firstMargin = 0.25;
+    const bool isMeasured = std::any_of(this->Seconds.begin() + FIRST_SUBSET, this->Seconds.end(),
+      [](double seconds) { return seconds > 0.0; });
+    return level >= FIRST_SUBSET && !isMeasured ? firstMargin
+      : level < this->Current                   ? finerMargin
+                                                : 1.0;
+  }
+
   /// Returns a relative cost: one unit for each tetrahedron, plus one for its pixels, which in a
   /// subset are more because tetrahedra are enlarged.
   double GetCost(int level) const

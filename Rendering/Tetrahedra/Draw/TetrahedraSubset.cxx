@@ -3,8 +3,8 @@
 
 #include "Common/ParallelFor.h"
 #include "Common/ThreadLocals.h"
+#include "Draw/LevelOfDetail.h"
 #include "Frame/BoundaryShading.h"
-#include "Order/RadixSorter.h"
 
 #include "vtkSMPTools.h"
 
@@ -178,8 +178,8 @@ public:
     }
   }
 
-  // Returns the tetrahedra with the \a number smallest keys, in ascending order. Also returns
-  // tetrahedra if only the last bits of their keys differ from the largest of these keys.
+  // Returns the tetrahedra with the \a number smallest keys, by index. Also returns tetrahedra if
+  // only the last bits of their keys differ from the largest of these keys.
   std::vector<std::uint32_t> FindSmallest(std::uint32_t number) const
   {
     std::uint32_t sum = 0;
@@ -250,10 +250,11 @@ std::array<std::array<double, 3>, 2> FindBounds(const TetrahedraMesh& mesh)
   return all;
 }
 
-// Copies the values of the \a number tetrahedra in \a ids. Each tetrahedron gets its own points.
-TetrahedraFields CopyFields(
-  const TetrahedraFrame& frame, const std::vector<std::uint32_t>& ids, std::size_t number)
+// Copies the values of the members. Each tetrahedron gets its own points.
+template <typename Members>
+TetrahedraFields CopyFields(const TetrahedraFrame& frame, const Members& members)
 {
+  const std::size_t number = members.size();
   const TetrahedraFields& from = *frame.Fields;
   TetrahedraFields to;
   to.Kind = from.Kind;
@@ -263,7 +264,10 @@ TetrahedraFields CopyFields(
     target.resize(source.empty() ? 0 : isOfPoints ? 4 * number : number);
     ParallelFor(0, static_cast<vtkIdType>(target.size()), CHUNK,
       [&](vtkIdType i)
-      { target[i] = source[isOfPoints ? frame.Mesh->GetCorners(ids[i / 4])[i % 4] : ids[i]]; });
+      {
+        target[i] = source[isOfPoints ? frame.Mesh->GetCorners(members[i / 4].Tetrahedron)[i % 4]
+                                      : members[i].Tetrahedron];
+      });
   };
   copy(from.Scalars, to.Scalars, true);
   copy(from.Colors, to.Colors, from.Kind == TetrahedraFields::POINT_COLORS);
@@ -284,35 +288,44 @@ void TetrahedraSubset::Rank(const TetrahedraFrame& frame, std::uint32_t number)
 {
   const TetrahedraMesh& mesh = *frame.Mesh;
   const KeyTable table(mesh.GetNumberOfTetrahedra(), Importance(frame, this->SurfaceOpacity));
-  const std::vector<std::uint32_t> found = table.FindSmallest(number + 1);
-  std::vector<std::uint32_t> keys(found.size());
-  std::transform(found.begin(), found.end(), keys.begin(),
+  this->Ranked = table.FindSmallest(number + 1);
+  this->Keys.resize(this->Ranked.size());
+  std::transform(this->Ranked.begin(), this->Ranked.end(), this->Keys.begin(),
     [&table](std::uint32_t tetrahedron) { return table.Get(tetrahedron); });
-  std::vector<std::uint32_t> order(found.size());
-  if (!keys.empty())
-  {
-    RadixSorter().Sort(keys.data(), static_cast<std::uint32_t>(keys.size()), order.data());
-  }
-  const std::size_t ranked = std::min<std::size_t>(found.size(), number + std::size_t{ 1 });
-  this->Ranked.resize(ranked);
-  this->Keys.resize(ranked);
-  for (std::size_t rank = 0; rank < ranked; ++rank)
-  {
-    this->Ranked[rank] = found[order[rank]];
-    this->Keys[rank] = keys[order[rank]];
-  }
   this->NumberRanked = number;
   this->Bounds = FindBounds(mesh);
 }
 
-double TetrahedraSubset::GetWeight(std::size_t rank, std::size_t number) const
+std::vector<TetrahedraSubset::Member> TetrahedraSubset::Select(std::uint32_t number) const
 {
-  // The key is the hash divided by the importance. The weight is the ratio of 1 / (key of the next
-  // tetrahedron) to the importance, but at least 1.
-  const double weight = number < this->Keys.size()
-    ? ToFloat(this->Keys[rank]) / (ToFloat(this->Keys[number]) * GetHash(this->Ranked[rank]))
-    : 1.0;
-  return std::max(1.0, weight);
+  std::vector<Member> members;
+  if (number >= this->Ranked.size())
+  {
+    for (const std::uint32_t tetrahedron : this->Ranked)
+    {
+      members.push_back({ tetrahedron, 1.0 });
+    }
+    return members;
+  }
+  std::vector<std::uint32_t> keys = this->Keys;
+  std::nth_element(keys.begin(), keys.begin() + number, keys.end());
+  const std::uint32_t next = keys[number];
+  // If keys are equal, the tetrahedra with the smallest indices come first.
+  auto ties = number -
+    std::count_if(
+      keys.begin(), keys.begin() + number, [next](std::uint32_t key) { return key < next; });
+  members.reserve(number);
+  for (std::size_t i = 0; i < this->Ranked.size(); ++i)
+  {
+    if (this->Keys[i] < next || (this->Keys[i] == next && ties-- > 0))
+    {
+      // The key is the hash divided by the importance. The weight is the ratio of 1 / (key of the
+      // next tetrahedron) to the importance, but at least 1.
+      const double weight = ToFloat(this->Keys[i]) / (ToFloat(next) * GetHash(this->Ranked[i]));
+      members.push_back({ this->Ranked[i], std::max(1.0, weight) });
+    }
+  }
+  return members;
 }
 
 bool TetrahedraSubset::Update(const TetrahedraFrame& frame, std::uint32_t number,
@@ -334,27 +347,30 @@ bool TetrahedraSubset::Update(const TetrahedraFrame& frame, std::uint32_t number
   this->Number = number;
   if (!isRanked)
   {
-    this->Rank(frame, number);
+    // Finer levels of detail then need no other pass over the mesh.
+    this->Rank(frame, std::max(number, LevelOfDetail::MAXIMUM_SUBSET));
   }
 
-  const std::size_t size = std::min<std::size_t>(number, this->Ranked.size());
-  fields = CopyFields(frame, this->Ranked, size);
+  const std::vector<Member> members = this->Select(number);
+  const std::size_t size = members.size();
+  fields = CopyFields(frame, members);
   mesh = TetrahedraMesh();
   mesh.Origin = frame.Mesh->Origin;
   mesh.Scale = frame.Mesh->Scale;
   mesh.Points.resize(12 * size);
   mesh.Corners.resize(4 * size);
   ParallelFor(0, static_cast<vtkIdType>(size), CHUNK,
-    [&](vtkIdType rank) { this->Enlarge(frame, static_cast<std::uint32_t>(rank), mesh, fields); });
+    [&](vtkIdType t)
+    { this->Enlarge(frame, members[t], static_cast<std::uint32_t>(t), mesh, fields); });
   return true;
 }
 
-void TetrahedraSubset::Enlarge(const TetrahedraFrame& frame, std::uint32_t rank,
-  TetrahedraMesh& mesh, TetrahedraFields& fields) const
+void TetrahedraSubset::Enlarge(const TetrahedraFrame& frame, const Member& member,
+  std::uint32_t tetrahedron, TetrahedraMesh& mesh, TetrahedraFields& fields) const
 {
-  const std::uint32_t* corners = frame.Mesh->GetCorners(this->Ranked[rank]);
-  const double weight = frame.Mesh->CellStride * this->GetWeight(rank, this->Number);
-  const bool hasTriangle = this->SurfaceOpacity > 0.0f && fields.Faces[rank] != 0;
+  const std::uint32_t* corners = frame.Mesh->GetCorners(member.Tetrahedron);
+  const double weight = member.Weight;
+  const bool hasTriangle = this->SurfaceOpacity > 0.0f && fields.Faces[tetrahedron] != 0;
   const double factor = hasTriangle ? std::sqrt(weight) : std::cbrt(weight);
   glm::dvec3 center(0.0);
   for (int k = 0; k < 4; ++k)
@@ -364,10 +380,10 @@ void TetrahedraSubset::Enlarge(const TetrahedraFrame& frame, std::uint32_t rank,
   for (std::uint32_t k = 0; k < 4; ++k)
   {
     const double* from = frame.Mesh->GetPoint(corners[k]);
-    mesh.Corners[4 * std::size_t{ rank } + k] = 4 * rank + k;
+    mesh.Corners[4 * std::size_t{ tetrahedron } + k] = 4 * tetrahedron + k;
     for (int i = 0; i < 3; ++i)
     {
-      mesh.Points[3 * (4 * std::size_t{ rank } + k) + i] = factor > 1.0
+      mesh.Points[3 * (4 * std::size_t{ tetrahedron } + k) + i] = factor > 1.0
         ? std::clamp(
             center[i] + factor * (from[i] - center[i]), this->Bounds[0][i], this->Bounds[1][i])
         : from[i];
@@ -376,12 +392,12 @@ void TetrahedraSubset::Enlarge(const TetrahedraFrame& frame, std::uint32_t rank,
   if (factor > 1.0)
   {
     const double represented = weight * std::abs(frame.Mesh->GetVolumeTimesSix(corners));
-    const double volume = std::abs(mesh.GetVolumeTimesSix(rank));
+    const double volume = std::abs(mesh.GetVolumeTimesSix(tetrahedron));
     const auto gain =
       static_cast<float>(represented < MAXIMUM_GAIN * volume ? represented / volume : MAXIMUM_GAIN);
     for (int k = 0; k < 4; ++k)
     {
-      fields.DeltaT[4 * std::size_t{ rank } + k] *= gain;
+      fields.DeltaT[4 * std::size_t{ tetrahedron } + k] *= gain;
     }
   }
 }

@@ -48,13 +48,21 @@ public:
 private:
   using Box = std::array<std::array<double, 3>, 2>;
 
-  /// Ranks the first \a number tetrahedra and the next one.
+  /// A tetrahedron of the mesh, and the number of tetrahedra that it represents.
+  struct Member
+  {
+    std::uint32_t Tetrahedron;
+    double Weight;
+  };
+
+  /// Finds the first \a number tetrahedra by rank and the next one.
   void Rank(const TetrahedraFrame& frame, std::uint32_t number);
-  /// Returns the number of tetrahedra that the tetrahedron of a rank represents.
-  double GetWeight(std::size_t rank, std::size_t number) const;
-  /// Sets the points and extents in time of the tetrahedron of a rank.
-  void Enlarge(const TetrahedraFrame& frame, std::uint32_t rank, TetrahedraMesh& mesh,
-    TetrahedraFields& fields) const;
+  /// Returns the first \a number tetrahedra by rank, in the order of their indices. They are close
+  /// in memory to their neighbors in this order.
+  std::vector<Member> Select(std::uint32_t number) const;
+  /// Sets the points and extents in time of a tetrahedron of \a mesh.
+  void Enlarge(const TetrahedraFrame& frame, const Member& member, std::uint32_t tetrahedron,
+    TetrahedraMesh& mesh, TetrahedraFields& fields) const;
 
   /// State of the last update.
   TetrahedraFrame::Changes Versions{ -1, -1, -1, -1, -1, -1 };
@@ -62,7 +70,7 @@ private:
   float SurfaceOpacity = 0.0f;
   std::uint32_t Number = 0;
 
-  /// Tetrahedra by rank, and their ranks as the bits of floats.
+  /// Tetrahedra with the smallest ranks by index, and their ranks as the bits of floats.
   std::vector<std::uint32_t> Ranked;
   std::vector<std::uint32_t> Keys;
   std::uint32_t NumberRanked = 0;
