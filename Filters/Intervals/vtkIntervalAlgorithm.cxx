@@ -67,7 +67,7 @@ int vtkIntervalAlgorithm::RequestUpdateExtent(
 
 void vtkIntervalAlgorithm::WarnOfEmptyOutput(const std::string& why)
 {
-  if (this->WarnOnEmptyOutput && !why.empty())
+  if (this->WarnOnEmptyOutput && this->PreviewCellLimit == 0 && !why.empty())
   {
     vtkWarningMacro("The output is empty: " << why);
   }
@@ -80,5 +80,6 @@ void vtkIntervalAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "SizeWarningLimit: " << this->SizeWarningLimit << "\n";
+  os << indent << "PreviewCellLimit: " << this->PreviewCellLimit << "\n";
   os << indent << "ReportBalance: " << this->ReportBalance << "\n";
 }

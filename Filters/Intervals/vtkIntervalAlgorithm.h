@@ -80,6 +80,22 @@ public:
 
   ///@{
   /**
+   * Set/get the number of cells up to which a preview is exact. Applications set it while a user
+   * drags a bound. If the structured grids of the input have more cells, a coarse copy of each is
+   * extracted instead: every n-th point along each axis and the last one, with the lowest n for
+   * which all copies together have at most this number of cells. A coarse cell has the arrays and
+   * the blanking of its first cell. Grids of other types are extracted exactly. The copies and
+   * their value index remain in memory until an execution without preview.
+   *
+   * Previews issue no warnings, their report refers to coarse cells, and coarse previews have no
+   * origin arrays. Each process applies the limit to its piece. Default 0: no preview.
+   */
+  vtkSetClampMacro(PreviewCellLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(PreviewCellLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * If true, each process of the global controller tells the others, at the end of an execution,
    * how many of its cells have output. The first output gets the field arrays `CellsOfProcesses`,
    * with these numbers, and `LoadBalance`, their maximum divided by their mean. All processes must
@@ -118,6 +134,7 @@ private:
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool WarnOnEmptyOutput = true;
   vtkIdType SizeWarningLimit = 5000000;
+  vtkIdType PreviewCellLimit = 0;
   bool ReportBalance = false;
 };
 

@@ -118,14 +118,15 @@ interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 int vtkIntervalVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->Index->BeginExecution();
+  interlume::ExtractionIndex* const index =
+    this->Index->BeginExecution(this->UseValueIndex, this->GetPreviewCellLimit() > 0);
   std::vector<std::string> names;
   for (const Criterion& criterion : this->Criteria)
   {
     names.push_back(criterion.ArrayName);
   }
-  interlume::ExtractionRun run(this, names,
-    this->UseValueIndex ? this->Index.GetPointer() : nullptr, this->GetSizeWarningLimit());
+  interlume::ExtractionRun run(
+    this, names, index, this->GetPreviewCellLimit(), this->GetSizeWarningLimit());
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
@@ -229,11 +230,12 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.Warning = &run.GetSizeWarning();
-  extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
+  extraction.Index = run.GetIndex();
   extraction.IdName = "IntervalId";
   extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
   extraction.GenerateBoundaries = this->GenerateBoundaries;
-  extraction.GenerateOriginArrays = this->GenerateOriginArrays && this->Criteria.empty();
+  extraction.GenerateOriginArrays =
+    this->GenerateOriginArrays && this->Criteria.empty() && !run.IsCoarse();
   extraction.InteriorPass = whole;
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
   run.Add(input, this->GetOutputPointsPrecision(), report);

@@ -100,8 +100,9 @@ int vtkIsotableContour::RequestUpdateExtent(
 int vtkIsotableContour::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->Index->BeginExecution();
-  interlume::ExtractionRun run(this, {}, this->UseValueIndex ? this->Index.GetPointer() : nullptr);
+  interlume::ExtractionIndex* const index =
+    this->Index->BeginExecution(this->UseValueIndex, this->PreviewCellLimit > 0);
+  interlume::ExtractionRun run(this, {}, index, this->PreviewCellLimit);
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->ExtractFrom(input, run, grids[0]); });
@@ -144,7 +145,7 @@ void vtkIsotableContour::ExtractFrom(
   interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
-  extraction.Index = this->UseValueIndex ? this->Index.GetPointer() : nullptr;
+  extraction.Index = run.GetIndex();
   extraction.IdName = "ContourId";
   extraction.OutputPointsPrecision = this->OutputPointsPrecision;
   extraction.SharePoints = this->MergePoints;
@@ -171,6 +172,7 @@ void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
+  os << indent << "PreviewCellLimit: " << this->PreviewCellLimit << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";
   os << indent << "ReportBalance: " << this->ReportBalance << "\n";
   os << indent << "Report:\n";

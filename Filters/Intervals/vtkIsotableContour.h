@@ -107,6 +107,15 @@ public:
 
   ///@{
   /**
+   * Set/get the number of cells up to which a preview is exact, as in vtkIntervalVolume. Default 0:
+   * no preview.
+   */
+  vtkSetClampMacro(PreviewCellLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(PreviewCellLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * If true, an execution with an empty output warns and reports the reason, as in
    * vtkIntervalVolume. Default on.
    */
@@ -165,6 +174,7 @@ private:
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool MergePoints = true;
   bool UseValueIndex = true;
+  vtkIdType PreviewCellLimit = 0;
   bool WarnOnEmptyOutput = true;
   bool ReportBalance = false;
   vtkNew<vtkInterlumeReport> Report;

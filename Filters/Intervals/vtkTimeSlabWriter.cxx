@@ -167,14 +167,17 @@ bool vtkTimeSlabWriter::Write()
   int range[2];
   this->GetTimeStepRange(range);
   const bool warnOnEmptyOutput = this->GetWarnOnEmptyOutput();
+  const vtkIdType previewCellLimit = this->GetPreviewCellLimit();
   std::vector<bool> kinds;
   for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
   {
     kinds.push_back(this->GetGenerateBoundary(kind));
   }
   this->SetWarnOnEmptyOutput(false);
+  this->SetPreviewCellLimit(0);
   const Error error = this->WriteSlabs(steps, kinds);
   this->SetWarnOnEmptyOutput(warnOnEmptyOutput);
+  this->SetPreviewCellLimit(previewCellLimit);
   this->SetTimeStepRange(range);
   for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
   {

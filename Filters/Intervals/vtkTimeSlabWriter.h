@@ -37,9 +37,9 @@ class Fingerprint;
  * still read to compute the digest, but not extracted. Other files are replaced, with one warning
  * that reports their number and the first difference.
  *
- * The default of SizeWarningLimit is 0 in this class. The writer runs in one process and requests
- * the full input. Each interior time step is read twice. Progress events refer to the current slab.
- * An abort stops after the current slab and writes no index.
+ * The default of SizeWarningLimit is 0 in this class, and PreviewCellLimit is ignored. The writer
+ * runs in one process and requests the full input. Each interior time step is read twice. Progress
+ * events refer to the current slab. An abort stops after the current slab and writes no index.
  *
  * Errors (vtkErrorMacro, Write() returns false): no FileName, no input, composite input, a file
  * that cannot be written, and the errors of vtkTimeVaryingIntervalVolume.

@@ -5,10 +5,12 @@
 #include "Output/ProcessBalance.h"
 #include "Static/EmptyOutputDiagnosis.h"
 #include "Static/ExtractionInput.h"
+#include "TimeVarying/CoarseSeries.h"
 #include "TimeVarying/SeriesEstimate.h"
 #include "TimeVarying/TimeVaryingRun.h"
 
 #include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -162,18 +164,50 @@ int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
   const std::vector<int> steps = this->GetSelectedSteps(this->TimeStepStride);
-  if (this->Run || !steps.empty())
+  if (!this->Run && this->BeginPreview(steps, input))
   {
-    inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
+    // Without a time, the input does not execute again.
+    input->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+  }
+  else if (this->Run || !steps.empty())
+  {
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
       this->Run ? this->Run->GetNextTime() : this->TimeSteps[steps.front()]);
   }
   return 1;
 }
 
+bool vtkTimeVaryingIntervalVolume::BeginPreview(
+  const std::vector<int>& steps, vtkInformation* input)
+{
+  if (this->GetPreviewCellLimit() == 0 || steps.size() < 2)
+  {
+    this->Coarse.reset();
+    return false;
+  }
+  if (!this->Coarse)
+  {
+    this->Coarse = std::make_unique<interlume::CoarseSeries>();
+  }
+  interlume::CoarseSeries::Key key;
+  key.Steps = steps;
+  key.Limit = this->GetPreviewCellLimit();
+  if (auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetInputExecutive(0, 0)))
+  {
+    key.InputTime = pipeline->GetPipelineMTime();
+  }
+  key.Piece = { { input->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()),
+    input->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()),
+    input->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
+  return this->Coarse->Begin(key);
+}
+
 bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 {
-  const std::vector<int> steps = this->GetSelectedSteps(this->TimeStepStride);
+  const std::vector<int> steps = this->GetSelectedSteps(
+    this->TimeStepStride * (this->Coarse ? this->Coarse->GetTimeStride() : 1));
   for (const interlume::Error& error : { this->CheckTimes(steps), this->CheckDirection(),
          interlume::ExtractionInput::CheckIntervals(this->GetIntervals()) })
   {
@@ -184,8 +218,8 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
     }
   }
   const interlume::TimeVaryingOptions options(*this, this->GetOutputPointsPrecision(), copiesSteps);
-  this->Run = std::make_unique<interlume::TimeVaryingRun>(
-    this, this->GetIntervals(), options, steps, this->GetTimes(steps), this->GetSizeWarningLimit());
+  this->Run = std::make_unique<interlume::TimeVaryingRun>(this, this->GetIntervals(), options,
+    steps, this->GetTimes(steps), this->Coarse ? 0 : this->GetSizeWarningLimit());
   return true;
 }
 
@@ -307,12 +341,17 @@ void vtkTimeVaryingIntervalVolume::ProcessStep(vtkInformation* request,
       interlume::EmptyOutputDiagnosis().Explain(this, "no interval is set.", ""));
     return;
   }
+  if (!this->Run && this->Coarse)
+  {
+    this->Coarse->ChooseStrides(input);
+  }
   if (!this->Run && !this->Begin(false))
   {
     return;
   }
   interlume::TimeVaryingRun::Results result;
-  const interlume::Error error = this->Run->AddStep(input, result);
+  const interlume::Error error = this->Coarse ? this->Coarse->AddStep(input, *this->Run, result)
+                                              : this->Run->AddStep(input, result);
   if (result == interlume::TimeVaryingRun::OVERWRITTEN)
   {
     // The values of the previous step are lost: request its time again.
@@ -350,7 +389,7 @@ void vtkTimeVaryingIntervalVolume::ProcessStep(vtkInformation* request,
   this->SetProgressShiftScale(0.0, 1.0);
   report = run->GetReport();
   report.Passes = report.Slabs;
-  for (const std::string& warning : run->GetWarnings())
+  for (const std::string& warning : this->Coarse ? std::vector<std::string>() : run->GetWarnings())
   {
     vtkWarningMacro(<< warning);
   }

@@ -15,6 +15,7 @@
 
 namespace interlume
 {
+class CoarseSeries;
 class Error;
 class SeriesEstimate;
 class TimeVaryingRun;
@@ -61,6 +62,10 @@ struct TimeVaryingReport;
  * Values equal to a bound and distributed grids are treated as in vtkIntervalVolume. The active
  * scalars of each output are the processed array. The result does not depend on the number of
  * threads.
+ *
+ * Previews (PreviewCellLimit): the limit is the number of cells times the number of slabs. If there
+ * are more, the preview uses fewer steps and coarser grids in turn. Copies of its steps remain in
+ * memory, so only the first preview requests steps from the input.
  *
  * If the source overwrites the memory of the previous time step, the execution restarts and copies
  * every step.
@@ -242,6 +247,10 @@ private:
   std::unique_ptr<interlume::SeriesEstimate> EstimateSeries(
     const std::function<std::vector<int>(int lastStep)>& chooseDistances);
 
+  /// Starts a preview if PreviewCellLimit is not 0, and otherwise ends it. \a input is the
+  /// information of the input. Returns true if there are coarse copies of all steps.
+  bool BeginPreview(const std::vector<int>& steps, vtkInformation* input);
+
   vtkTimeVaryingIntervalVolume(const vtkTimeVaryingIntervalVolume&) = delete;
   void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
 
@@ -250,6 +259,8 @@ private:
   std::vector<double> TimeSteps;
   /// State between time steps; null between executions.
   std::unique_ptr<interlume::TimeVaryingRun> Run;
+  /// Coarse copies of the steps; null if the last execution was not a preview.
+  std::unique_ptr<interlume::CoarseSeries> Coarse;
   bool IsFilled = false;
   /// If true, this execution was already restarted. It is restarted at most once.
   bool IsRestarted = false;

@@ -13,6 +13,12 @@ paraview_plugin_add_property_widget(
   CLASS_NAME pqAreaLightPropertyWidget
   INTERFACES area_light_interfaces
   SOURCES    area_light_sources)
+paraview_plugin_add_property_widget(
+  KIND       WIDGET_DECORATOR
+  TYPE       interlume_live
+  CLASS_NAME pqLivePreviewDecorator
+  INTERFACES live_interfaces
+  SOURCES    live_sources)
 paraview_plugin_add_auto_start(
   CLASS_NAME pqHyphenInSearch
   STARTUP    startup
@@ -26,9 +32,10 @@ paraview_plugin_add_auto_start(
   INTERFACES progressive_interfaces
   SOURCES    progressive_sources)
 list(APPEND panel_interfaces
-  ${area_light_interfaces} ${progressive_interfaces} ${search_interfaces})
+  ${area_light_interfaces} ${live_interfaces} ${progressive_interfaces} ${search_interfaces})
 list(APPEND panel_sources
   ${area_light_sources}
+  ${live_sources}
   ${progressive_sources}
   ${search_sources}
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.cxx"
@@ -37,5 +44,7 @@ list(APPEND panel_sources
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHyphenInSearch.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.h"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLivePreviewDecorator.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLivePreviewDecorator.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.h")

@@ -2,8 +2,10 @@
 #include "pqIntervalsPropertyWidget.h"
 
 #include "pqCoreUtilities.h"
-#include "pqDoubleRangeSliderPropertyWidget.h"
+#include "pqDoubleRangeWidget.h"
+#include "pqHighlightableToolButton.h"
 #include "pqScalarValueListPropertyWidget.h"
+#include "pqWidgetRangeDomain.h"
 #include "vtkCommand.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMDoubleRangeDomain.h"
@@ -11,8 +13,12 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMUncheckedPropertyHelper.h"
+#include "vtkSMVectorProperty.h"
 
+#include <QGridLayout>
 #include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -57,48 +63,45 @@ int FindCopiedRow(const QVariantList& before, const QVariantList& after)
 pqIntervalsPropertyWidget::pqIntervalsPropertyWidget(
   vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
   : Superclass(proxy, parent)
-  , Sliders(new pqDoubleRangeSliderPropertyWidget(proxy, property, this))
+  , Columns(vtkSMVectorProperty::SafeDownCast(property)->GetNumberOfElementsPerCommand())
+  , Sliders(new QWidget(this))
   , Several(new QToolButton(this))
-  , Reset(new QToolButton(this))
+  , Reset(new pqHighlightableToolButton(this))
   , Table(new pqScalarValueListPropertyWidget(property, proxy, this))
   , Skipped(new QLabel(this))
 {
   this->setProperty(property);
   this->setShowLabel(false);
 
-  this->Sliders->setObjectName("Sliders");
-  this->Table->setObjectName("Table");
-  this->Table->setRangeDomain(property->FindDomain<vtkSMDoubleRangeDomain>());
+  const bool isOfIntervals = this->Columns == 2;
   this->Several->setObjectName("Several");
-  this->Several->setText(tr("Several intervals"));
-  this->Several->setToolTip(tr("Show a table in which you can add intervals"));
+  this->Several->setText(isOfIntervals ? tr("Several intervals") : tr("Several values"));
+  this->Several->setToolTip(tr("Show a table in which you can add rows"));
   this->Several->setCheckable(true);
   this->Several->setToolButtonStyle(Qt::ToolButtonTextOnly);
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(this->Several);
-  layout->addWidget(this->Sliders);
-  layout->addWidget(this->Table);
-
   this->Reset->setObjectName("Reset");
-  this->Reset->setText(tr("Reset to one interval"));
-  this->Reset->setToolTip(tr("Replace all intervals by one interval from the range of the data"));
-  layout->addWidget(this->Reset);
+  this->Reset->setText(tr("Reset"));
+  this->Reset->setToolTip(tr("Replace all rows by the default for the range of the data"));
   this->Skipped->setObjectName("Skipped");
   this->Skipped->setWordWrap(true);
-  layout->addWidget(this->Skipped);
+  this->createSliders();
+  this->createTable();
 
-  this->labelTable();
-  this->addPropertyLink(this->Table, "scalars", SIGNAL(scalarsChanged()), property);
-  this->LastRows = this->Table->scalars();
-  QObject::connect(this->Table, SIGNAL(scalarsChanged()), this, SLOT(placeNewRow()));
-  QObject::connect(this->Sliders, SIGNAL(changeAvailable()), this, SIGNAL(changeAvailable()));
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->Several, 0, 0, Qt::AlignLeft);
+  layout->addWidget(this->Reset, 0, 1, Qt::AlignRight);
+  layout->addWidget(this->Sliders, 1, 0, 1, 2);
+  layout->addWidget(this->Table, 2, 0, 1, 2);
+  layout->addWidget(this->Skipped, 3, 0, 1, 2);
+
   QObject::connect(this->Reset, SIGNAL(clicked()), this, SLOT(resetToData()));
   QObject::connect(this->Several, SIGNAL(toggled(bool)), this, SLOT(arrange()));
   pqCoreUtilities::connect(
     property, vtkCommand::UncheckedPropertyModifiedEvent, this, SLOT(arrange()));
   pqCoreUtilities::connect(property, vtkCommand::ModifiedEvent, this, SLOT(arrange()));
+  pqCoreUtilities::connect(
+    property, vtkCommand::DomainModifiedEvent, this->Reset, SLOT(highlight()));
   pqCoreUtilities::connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(updateSkipped()));
   this->arrange();
   this->updateSkipped();
@@ -106,7 +109,7 @@ pqIntervalsPropertyWidget::pqIntervalsPropertyWidget(
 
 pqIntervalsPropertyWidget::~pqIntervalsPropertyWidget() = default;
 
-void pqIntervalsPropertyWidget::labelTable()
+std::vector<const char*> pqIntervalsPropertyWidget::getLabels() const
 {
   std::vector<const char*> labels;
   vtkPVXMLElement* hints = this->property()->GetHints();
@@ -115,17 +118,59 @@ void pqIntervalsPropertyWidget::labelTable()
   {
     labels.push_back(named->GetNestedElement(i)->GetAttributeOrEmpty("label"));
   }
-  if (labels.size() == 2)
+  labels.resize(static_cast<std::size_t>(this->Columns), "");
+  return labels;
+}
+
+void pqIntervalsPropertyWidget::createSliders()
+{
+  this->Sliders->setObjectName("Sliders");
+  auto* layout = new QGridLayout(this->Sliders);
+  layout->setContentsMargins(0, 0, 0, 0);
+  const std::vector<const char*> labels = this->getLabels();
+  for (int column = 0; column < this->Columns; ++column)
   {
-    this->Table->setShowLabels(true);
-    SetLabels(this->Table, &pqScalarValueListPropertyWidget::setLabels, labels);
+    auto* bound = new pqDoubleRangeWidget(this->Sliders);
+    bound->setObjectName(QString("ThresholdBetween_%1").arg(column));
+    layout->addWidget(new QLabel(labels[column], this->Sliders), column, 0);
+    layout->addWidget(bound, column, 1);
+    new pqWidgetRangeDomain(bound, "minimum", "maximum", this->property(), 0);
+    auto* slider = bound->findChild<QSlider*>();
+    // A value that is being typed is not complete, and must not move the other bound.
+    QObject::connect(bound, &pqDoubleRangeWidget::valueChanged, this,
+      [=](double value) { this->setValue(column, value, slider && slider->isSliderDown()); });
+    QObject::connect(bound, &pqDoubleRangeWidget::valueEdited, this,
+      [=](double value) { this->setValue(column, value, true); });
+    this->Bounds.push_back(bound);
   }
+}
+
+void pqIntervalsPropertyWidget::createTable()
+{
+  this->Table->setObjectName("Table");
+  this->Table->setRangeDomain(this->property()->FindDomain<vtkSMDoubleRangeDomain>());
+  this->Table->setShowLabels(true);
+  SetLabels(this->Table, &pqScalarValueListPropertyWidget::setLabels, this->getLabels());
+  this->addPropertyLink(this->Table, "scalars", SIGNAL(scalarsChanged()), this->property());
+  this->LastRows = this->Table->scalars();
+  QObject::connect(this->Table, SIGNAL(scalarsChanged()), this, SLOT(placeNewRow()));
+  if (auto* view = this->Table->findChild<QTableView*>())
+  {
+    QObject::connect(view->selectionModel(), SIGNAL(currentChanged(QModelIndex, QModelIndex)), this,
+      SLOT(selectRow(QModelIndex)));
+  }
+}
+
+void pqIntervalsPropertyWidget::apply()
+{
+  this->Superclass::apply();
+  this->Reset->clear();
 }
 
 void pqIntervalsPropertyWidget::reset()
 {
   this->Superclass::reset();
-  this->Sliders->reset();
+  this->Reset->clear();
 }
 
 void pqIntervalsPropertyWidget::resetToData()
@@ -137,16 +182,54 @@ void pqIntervalsPropertyWidget::resetToData()
 
 void pqIntervalsPropertyWidget::arrange()
 {
-  const bool isSingle = vtkSMUncheckedPropertyHelper(this->property()).GetNumberOfElements() == 2;
-  if (!isSingle)
+  const std::vector<double> values =
+    vtkSMUncheckedPropertyHelper(this->property()).GetDoubleArray();
+  const int rows = static_cast<int>(values.size()) / this->Columns;
+  if (rows != 1)
   {
     this->Several->setChecked(true);
   }
-  this->Several->setEnabled(isSingle);
-  const bool isTable = this->Several->isChecked();
-  this->Sliders->setVisible(!isTable);
-  this->Table->setVisible(isTable);
-  this->Reset->setVisible(isTable);
+  this->Several->setEnabled(rows == 1);
+  this->Table->setVisible(this->Several->isChecked());
+  this->Row = std::max(0, std::min(this->Row, rows - 1));
+  this->Sliders->setEnabled(rows > 0);
+  for (int column = 0; rows > 0 && column < this->Columns; ++column)
+  {
+    const QSignalBlocker blocker(this->Bounds[column]);
+    this->Bounds[column]->setValue(values[this->Row * this->Columns + column]);
+  }
+}
+
+void pqIntervalsPropertyWidget::selectRow(const QModelIndex& index)
+{
+  if (index.isValid())
+  {
+    this->Row = index.row();
+    this->arrange();
+  }
+}
+
+void pqIntervalsPropertyWidget::setValue(int column, double value, bool isOrdered)
+{
+  std::vector<double> values = vtkSMUncheckedPropertyHelper(this->property()).GetDoubleArray();
+  const std::size_t first = static_cast<std::size_t>(this->Row * this->Columns);
+  if (first + this->Columns > values.size())
+  {
+    return;
+  }
+  const std::vector<double> before = values;
+  values[first + column] = value;
+  for (int other = 0; isOrdered && other < this->Columns; ++other)
+  {
+    double& bound = values[first + other];
+    bound = other < column ? std::min(bound, value) : std::max(bound, value);
+  }
+  if (values != before)
+  {
+    vtkSMUncheckedPropertyHelper(this->property())
+      .Set(values.data(), static_cast<unsigned int>(values.size()));
+    Q_EMIT this->changeAvailable();
+  }
 }
 
 void pqIntervalsPropertyWidget::placeNewRow()
@@ -155,7 +238,7 @@ void pqIntervalsPropertyWidget::placeNewRow()
   const int row = FindCopiedRow(this->LastRows, rows);
   this->LastRows = rows;
   auto* view = this->Table->findChild<QTableView*>();
-  if (row < 0 || !view || view->model()->columnCount() != 2)
+  if (this->Columns != 2 || row < 0 || !view || view->model()->columnCount() != 2)
   {
     return;
   }

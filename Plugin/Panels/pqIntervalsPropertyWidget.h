@@ -6,19 +6,24 @@
 
 #include <QVariantList> // for a member
 
+#include <vector> // for the sliders
+
 class QLabel;
+class QModelIndex;
 class QToolButton;
-class pqDoubleRangeSliderPropertyWidget;
+class pqDoubleRangeWidget;
+class pqHighlightableToolButton;
 class pqScalarValueListPropertyWidget;
 
 /**
  * @class   pqIntervalsPropertyWidget
- * @brief   edits a single interval with sliders, and several intervals in a table
+ * @brief   edits a single row of numbers with sliders, and several rows in a table
  *
- * Use it for a repeatable property with two values per row. The widget shows two sliders, as for
- * ParaView's IsoVolume, or a table and a button that resets it to one row. The button "Several
- * intervals" switches between them; with several rows, the table remains. The table does not move
- * when rows are added or removed. A row that is added starts at the upper value of the row above.
+ * Use it for a repeatable property with one value per row (isovalues) or two (intervals). The
+ * sliders edit the single row, or the row that is selected in the table. The button "Several"
+ * shows the table; with several rows, the table remains. The table does not move when rows are
+ * added or removed. An interval that is added starts at the upper value of the row above. While a
+ * slider is dragged past the other bound, it takes that bound along.
  *
  * If the proxy has the property SkippedCells, the widget shows the number, unless it is 0.
  */
@@ -31,6 +36,7 @@ public:
   pqIntervalsPropertyWidget(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
   ~pqIntervalsPropertyWidget() override;
 
+  void apply() override;
   void reset() override;
 
 private Q_SLOTS:
@@ -40,18 +46,28 @@ private Q_SLOTS:
   void resetToData();
   /// Sets the values of a row that was added to the table as a copy of the row above.
   void placeNewRow();
+  /// Lets the sliders edit a row of the table.
+  void selectRow(const QModelIndex& index);
   /// Shows the number of skipped cells.
   void updateSkipped();
 
 private:
   Q_DISABLE_COPY(pqIntervalsPropertyWidget)
 
-  /// Sets the column labels of the table from the XML hints.
-  void labelTable();
+  /// Returns the labels of the columns from the XML hints.
+  std::vector<const char*> getLabels() const;
+  void createSliders();
+  void createTable();
+  /// Sets a value of the selected row. If \a isOrdered is true, keeps lower values below upper
+  /// ones.
+  void setValue(int column, double value, bool isOrdered);
 
-  pqDoubleRangeSliderPropertyWidget* Sliders;
+  const int Columns;
+  int Row = 0; ///< the row that the sliders edit
+  QWidget* Sliders;
+  std::vector<pqDoubleRangeWidget*> Bounds; ///< the sliders of a row
   QToolButton* Several;
-  QToolButton* Reset;
+  pqHighlightableToolButton* Reset;
   pqScalarValueListPropertyWidget* Table;
   QLabel* Skipped;
   QVariantList LastRows; ///< the values of the table before the last change

@@ -41,12 +41,35 @@ def shell(code):
 
 
 def of_table(is_table):
-    """Returns the checks that the table, or otherwise the sliders, is visible below a button that stays in place."""
-    table, sliders = ("true", "false") if is_table else ("false", "true")
-    return [check(INTERVALS + "Several", "visible", "true"), check(INTERVALS + "Sliders", "visible", sliders),
-            check(INTERVALS + "Table", "visible", table), check(INTERVALS + "Reset", "visible", table)]
+    """Returns the checks that the table is visible or not, and that the sliders and buttons are."""
+    return [check(INTERVALS + "Several", "visible", "true"), check(INTERVALS + "Sliders", "visible", "true"),
+            check(INTERVALS + "Table", "visible", "true" if is_table else "false"),
+            check(INTERVALS + "Reset", "visible", "true")]
 
 
+def dragged(property_name, positions):
+    """Drags the first slider of a property by its handle, which is at the left end, to pixel positions."""
+    slider = f"{PANEL}{property_name}/Sliders/ThresholdBetween_0/Slider"
+    left = 1
+    return ([(slider, "mousePress", f"{left},{left},0,4,8")]
+            + [(slider, "mouseMove", f"{left},{left},0,{x},8") for x in positions]
+            + [(slider, "mouseRelease", f"{left},0,0,{positions[-1]},8")])
+
+
+def wavelet(size):
+    """Creates an image with the given number of cells from its center to each side."""
+    return shell(f"w = Wavelet(WholeExtent=[{-size}, {size}] * 3); w.UpdatePipeline(); SetActiveSource(w)")
+
+
+def values(name, numbers):
+    return shell(f"GetActiveSource().{name} = {numbers}")
+
+
+# The lower value is the minimum of the image from wavelet(), so that its slider is at the left end.
+RANGE = [37.0, 60.0]
+WATCH = shell("newcomer_record.watch()")
+APPLIED = check(APPLY[0], "enabled", "false")
+UNDO = [(MENU_BAR + "/menu_Edit", "activate", "actionEditUndo")]
 LEGEND = "GetScalarBar(GetColorTransferFunction('AsH3'), GetActiveView()).RangeLabelFormat"
 ROWS = "[round(value, 6) for value in FindSource('IntervalVolume1').Intervals]"
 HANDLES = "newcomer_record.handles()"
@@ -68,6 +91,23 @@ USES = {
          + clicked(INTERVALS + "Table/Add") + of_table(True) + [APPLY] + of_table(True), ROWS, [0.1, 0.12, 0.12, 0.14]),
         (clicked(INTERVALS + "Table/Add") + of_table(True) + [APPLY], ROWS, [0.1, 0.12, 0.12, 0.14, 0.14, 0.16]),
         (clicked(INTERVALS + "Reset") + of_table(False) + [APPLY], f"len({ROWS})", 2)],
+    "drag": [
+        # More than a million cells: coarse during the drag.
+        (wavelet(51) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY] + WATCH
+         + dragged("Intervals", [8, 14, 20, 26]), "newcomer_record.watched('Intervals')", [True, True, True, 1]),
+        ([APPLIED, *UNDO], "GetActiveSource().Intervals == " + str(RANGE), True)],
+    "drag small data": [
+        (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY] + WATCH
+         # The lower bound takes the upper bound along.
+         + dragged("Intervals", [8, 14, 20, 60]), "newcomer_record.watched('Intervals')", [True, False, True, 1]),
+        (clicked(INTERVALS + "Several") + values("Intervals", [*RANGE, 60.0, 70.0]) + WATCH
+         + dragged("Intervals", [6, 8]), "newcomer_record.watched('Intervals')", [True, False, True, 1]),
+        ([APPLIED], "GetActiveSource().Intervals[2:]", [60.0, 70.0]),
+        (wavelet(10) + chosen("IsotableContour") + values("ContourValues", RANGE[:1]) + [APPLY] + WATCH
+         + dragged("ContourValues", [20, 30, 40]), "newcomer_record.watched('ContourValues')", [True, False, True, 1])],
+    "drag before Apply": [
+        (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + WATCH + dragged("Intervals", [8, 14])
+         + [check(APPLY[0], "enabled", "true")], "newcomer_record.FRAMES", [])],
     "skipped cells": [
         (shell("w = Wavelet(); w.UpdatePipeline(); f = ProgrammableFilter(Input=w); f.Script = 'import numpy; "
                "v = inputs[0].PointData[\"RTData\"]; "

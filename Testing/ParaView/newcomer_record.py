@@ -7,7 +7,7 @@ import os
 import sys
 import traceback
 
-from paraview import simple
+from paraview import simple, smtrace
 
 SIZE = [480, 360]
 
@@ -67,6 +67,36 @@ def handles():
     widgets = simple.GetActiveView().SMProxy.GetProperty("HiddenRepresentations")
     shown = [widgets.GetProxy(i).GetProperty("Visibility") for i in range(widgets.GetNumberOfProxies())]
     return sum(visibility.GetElement(0) for visibility in shown if visibility)
+
+
+FRAMES = []
+OBSERVERS = []
+
+
+def watch():
+    """Starts recording the number of cells of the active source at each image of the active view, and a trace."""
+    source = simple.GetActiveSource().GetClientSideObject()
+    view = simple.GetActiveView().SMProxy
+    for observer in OBSERVERS:
+        view.RemoveObserver(observer)
+    FRAMES.clear()
+    OBSERVERS[:] = [view.AddObserver(
+        "EndEvent", lambda *_: FRAMES.append(source.GetOutputDataObject(0).GetNumberOfElements(1)))]
+    smtrace.start_trace()
+
+
+def watched(name):
+    """Returns facts about a drag that watch() has recorded: whether there were images during it, whether they had much
+    fewer cells than the last image, whether that image is exact, and the number of lines of trace that set the
+    property."""
+    lines = smtrace.stop_trace().splitlines()
+    source = simple.GetActiveSource().GetClientSideObject()
+    shown = FRAMES[-1] if FRAMES else 0
+    source.Modified()
+    source.Update()
+    return [len(set(FRAMES)) > 2, 2 * max(FRAMES[:-1], default=0) < shown,
+            shown == source.GetOutputDataObject(0).GetNumberOfElements(1),
+            sum(f".{name} = " in line for line in lines)]
 
 
 def reset():

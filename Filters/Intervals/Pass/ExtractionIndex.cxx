@@ -47,8 +47,17 @@ ExtractionIndex::ExtractionIndex() = default;
 
 ExtractionIndex::~ExtractionIndex() = default;
 
-void ExtractionIndex::BeginExecution()
+ExtractionIndex* ExtractionIndex::BeginExecution(bool isUsed, bool isPreview)
 {
+  if (isPreview)
+  {
+    if (!this->Previews)
+    {
+      this->Previews = vtkSmartPointer<ExtractionIndex>::New();
+    }
+    return this->Previews->BeginExecution(true, false);
+  }
+  this->Previews = nullptr;
   const auto removeUnused = [](auto& cached)
   {
     for (auto entry = cached.begin(); entry != cached.end();)
@@ -58,19 +67,9 @@ void ExtractionIndex::BeginExecution()
   };
   removeUnused(this->Known);
   removeUnused(this->LinearGrids);
+  removeUnused(this->CoarseGrids);
   removeUnused(this->ConvertedArrays);
-}
-
-ExtractionIndex::LinearGrid& ExtractionIndex::GetLinearGrid(vtkDataSet* input)
-{
-  LinearGrid& cached = this->LinearGrids[input];
-  if (cached.InputTime != input->GetMTime())
-  {
-    cached = LinearGrid();
-    cached.InputTime = input->GetMTime();
-  }
-  cached.IsUsed = true;
-  return cached;
+  return isUsed ? this : nullptr;
 }
 
 bool ExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions)

@@ -28,7 +28,7 @@ class ExtractionValues;
  * of a dataset is built at its second extraction, since building it visits all cells. It is cached
  * until the dataset or the scalar array changes. One object serves all leaves of a composite
  * dataset. It also caches the grids that replace grids with polyhedra (see ExtractionLinearizer),
- * and converted cell arrays.
+ * coarse grids for previews (see GridSampling), and converted cell arrays.
  */
 class ExtractionIndex : public vtkObject
 {
@@ -52,13 +52,27 @@ public:
 
   /// Returns the cache entry of \a input. Its Grid is null if no grid is cached or the input has
   /// changed.
-  LinearGrid& GetLinearGrid(vtkDataSet* input);
+  LinearGrid& GetLinearGrid(vtkDataSet* input) { return this->GetEntry(this->LinearGrids, input); }
+
+  /// A coarse copy of a structured grid.
+  struct CoarseGrid
+  {
+    vtkSmartPointer<vtkDataSet> Grid;
+    int Stride = 0;
+    vtkMTimeType InputTime = 0;
+    bool IsUsed = false;
+  };
+
+  /// Returns the cache entry of \a input, as GetLinearGrid().
+  CoarseGrid& GetCoarseGrid(vtkDataSet* input) { return this->GetEntry(this->CoarseGrids, input); }
 
   /// Returns the cache of converted cell arrays.
   CellArrayConversion::Cache& GetConvertedArrays() { return this->ConvertedArrays; }
 
-  /// Starts an execution. Removes entries that the previous execution did not use.
-  void BeginExecution();
+  /// Starts an execution and returns the index to use, or null if \a isUsed is false. Removes
+  /// entries that the previous execution did not use. Previews have a separate index, which exists
+  /// until the next execution that is not a preview.
+  ExtractionIndex* BeginExecution(bool isUsed, bool isPreview);
 
   /**
    * Selects the ranges of \a input and builds them if needed. Returns false at the first extraction
@@ -107,6 +121,20 @@ private:
     std::vector<std::array<double, 2>> Blocks;
   };
 
+  /// Returns the entry of a cache for \a input. Clears the entry if the input has changed.
+  template <typename Entry>
+  Entry& GetEntry(std::map<vtkDataSet*, Entry>& cache, vtkDataSet* input)
+  {
+    Entry& cached = cache[input];
+    if (cached.InputTime != input->GetMTime())
+    {
+      cached = Entry();
+      cached.InputTime = input->GetMTime();
+    }
+    cached.IsUsed = true;
+    return cached;
+  }
+
   template <typename T>
   void BuildStructured(const T* scalars, Ranges& ranges) const;
   template <typename T>
@@ -116,6 +144,9 @@ private:
 
   std::map<vtkDataArray*, Ranges> Known;
   std::map<vtkDataSet*, LinearGrid> LinearGrids;
+  std::map<vtkDataSet*, CoarseGrid> CoarseGrids;
+  /// The index for previews; null if the last execution was not a preview.
+  vtkSmartPointer<ExtractionIndex> Previews;
   CellArrayConversion::Cache ConvertedArrays;
   Ranges* Selected = nullptr;
   std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };
