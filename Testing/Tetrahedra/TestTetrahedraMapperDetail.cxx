@@ -284,7 +284,14 @@ void TestSample(Check& check, bool hasTime)
   check.That(mapper->GetReport()->GetNumber("TetrahedraDrawn") < 100000, name + "few are drawn");
   state.Rate = STILL;
   const RgbaImage final = DrawRefined(stage, mapper, state, check);
-  check.That(final.Values == DrawFresh(state).Values, name + "the final image");
+  VolumeStage freshStage(SIZE);
+  vtkNew<Mapper> fresh;
+  check.That(final.Values == Draw(freshStage, fresh, state).Values, name + "the final image");
+  const auto memory = [](Mapper* drawn) { return drawn->GetReport()->GetNumber("MemoryBytes"); };
+  check.That(memory(mapper) > memory(fresh), name + "memory of the sample");
+  mapper->ProgressiveRenderingOff();
+  Draw(stage, mapper, state);
+  check.Near(memory(mapper), memory(fresh), 0.0, name + "memory with the setting off again");
   const auto expected = GetMean(final);
   for (int c = 0; c < 4; ++c)
   {

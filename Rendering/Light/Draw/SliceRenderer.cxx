@@ -23,6 +23,7 @@
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkSliceMedium.h"
@@ -360,17 +361,57 @@ Error SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, SliceSc
     this->Refinement.DropImage();
   }
   const double start = vtkTimerLog::GetUniversalTime();
-  const Volumes drawn = error ? Volumes() : this->UpdateVolumes(window, volumes);
+  Volumes drawn;
+  if (this->IsRefined)
+  {
+    drawn = this->UpdateSample(window, *volumes[0], seconds);
+  }
+  const bool isSample = !drawn.empty();
+  this->VoxelStride = isSample ? this->Sample.GetStride() : 1;
+  if (!error && !isSample)
+  {
+    drawn = this->UpdateVolumes(window, volumes);
+  }
   if (!drawn.empty())
   {
     error = this->DrawUpdated(renderer, drawn,
       this->IsRefined ? this->Times.Choose(seconds) : this->ChooseCoarseness(drawn), scene, start);
   }
+  if (isSample)
+  {
+    volumes[0]->CopyReport(*drawn[0]);
+  }
   if (error || drawn.empty() || (!this->IsRefined && !isSelection))
   {
     this->Refinement.Clear();
   }
+  if (this->SampleVolume && !this->IsRefined && !isSelection)
+  {
+    this->SampleVolume->ReleaseGraphicsResources(window);
+    this->SampleVolume.reset();
+    this->Sample = ImageSample();
+  }
   return error;
+}
+
+SliceRenderer::Volumes SliceRenderer::UpdateSample(
+  vtkOpenGLRenderWindow* window, const VolumeResources& volume, double seconds)
+{
+  VolumeResources::Request request = volume.GetRequest();
+  if (seconds > ImageRefinement::FIRST_SECONDS || request.Medium || request.IsOfCells ||
+    request.Image->GetNumberOfPoints() <= 8 * ImageSample::SIZE || volume.IsCurrent())
+  {
+    return {};
+  }
+  this->Sample.Update(request.Image, request.Scalars);
+  request.Image = this->Sample.GetImage();
+  request.Scalars = request.Image->GetPointData()->GetScalars();
+  if (!this->SampleVolume)
+  {
+    this->SampleVolume = std::make_unique<VolumeResources>();
+  }
+  this->SampleVolume->SetRequest(request, {});
+  return this->UpdateVolumes(window, { this->SampleVolume.get() });
 }
 
 Error SliceRenderer::DrawUpdated(
@@ -380,11 +421,12 @@ Error SliceRenderer::DrawUpdated(
   SliceReport report;
   this->UpdateView(renderer, volumes, coarseness, scene, report);
   Error error = this->UpdateScattering(renderer, volumes);
+  const double sliceCoarseness = std::max(coarseness / this->VoxelStride, 1.0);
   if (this->IsRefined && coarseness > 1.0)
   {
-    this->Settings.Coarsen(coarseness);
+    this->Settings.Coarsen(sliceCoarseness);
   }
-  error = error.Then([&] { return this->MakePlan(volumes, coarseness, report); })
+  error = error.Then([&] { return this->MakePlan(volumes, sliceCoarseness, report); })
             .Then([&] { return this->DrawSlices(renderer, volumes, report); });
   if (!error && this->Find(renderer)->IsComplete())
   {
@@ -395,8 +437,12 @@ Error SliceRenderer::DrawUpdated(
     const double now = vtkTimerLog::GetUniversalTime();
     if (this->IsRefined)
     {
-      this->Times.Add(coarseness, now - updated);
-      this->Refinement.End(coarseness == 1.0);
+      const bool isFinal = coarseness == 1.0 && this->VoxelStride == 1;
+      if (isFinal || coarseness > 1.0)
+      {
+        this->Times.Add(coarseness, now - updated);
+      }
+      this->Refinement.End(isFinal);
     }
     this->LastCoarseness = coarseness;
     this->LastSeconds = this->Settings.AutoAdjustSampleDistances ? now - start : this->LastSeconds;
@@ -441,6 +487,10 @@ bool SliceRenderer::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkI
 void SliceRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Refinement.DropImage();
+  if (this->SampleVolume)
+  {
+    this->SampleVolume->ReleaseGraphicsResources(window);
+  }
   for (auto& rasterizer : this->Windows)
   {
     if (!window || rasterizer.first == window)

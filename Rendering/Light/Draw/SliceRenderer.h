@@ -3,6 +3,7 @@
 #define interlume_SliceRenderer_h
 
 #include "Common/Error.h"
+#include "Draw/ImageSample.h"
 #include "Draw/ImageSettings.h"
 #include "Plan/SlicePlan.h"
 #include "Refinement/ImageRefinement.h"
@@ -73,6 +74,11 @@ private:
   double ChooseCoarseness(const Volumes& volumes) const;
   /// Begins a pass of a progressive image. Returns its time in seconds, as ImageRefinement::Begin.
   double BeginPass(vtkRenderer* renderer, const VolumeResources& volume);
+  /// Updates a sample of the volume if the volume's own data are not up to date and would take
+  /// longer than \a seconds. Returns the sample, or no volume if the sample is not needed or has an
+  /// error.
+  Volumes UpdateSample(
+    vtkOpenGLRenderWindow* window, const VolumeResources& volume, double seconds);
   /// Draws volumes whose data are updated. \a start is the time at which the image began.
   Error DrawUpdated(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
     SliceScene* scene, double start);
@@ -101,6 +107,11 @@ private:
   /// Passes of progressive images, and their times after the data were updated.
   ImageRefinement Refinement;
   PassTimes Times;
+  /// Sample of the volume, and its resources, which are null without a sample.
+  ImageSample Sample;
+  std::unique_ptr<VolumeResources> SampleVolume;
+  /// Number of voxels along each axis that a voxel of the current image represents.
+  int VoxelStride = 1;
 };
 
 }

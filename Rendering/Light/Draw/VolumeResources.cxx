@@ -77,6 +77,26 @@ std::vector<double> MakeKey(vtkVolumeProperty* property, int components,
   }
   return key;
 }
+
+// Returns the number of samples along each axis.
+std::array<int, 3> GetSize(const VolumeResources::Request& request)
+{
+  std::array<int, 3> size{};
+  const int* dimensions = request.Image->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = request.IsOfCells ? std::max(dimensions[axis] - 1, 1) : dimensions[axis];
+  }
+  return size;
+}
+
+MaterialTable::Scattering GetScattering(const VolumeResources::Request& request)
+{
+  MaterialTable::Scattering scattering;
+  scattering.IsOn = request.Settings.ScatteringMode != vtkShadowedSliceSettings::NO_SCATTERING;
+  scattering.Albedo = scattering.IsOn ? request.Settings.ScatteringAlbedo.Get() : nullptr;
+  return scattering;
+}
 }
 
 VolumeResources::VolumeResources() = default;
@@ -93,26 +113,40 @@ void VolumeResources::SetRequest(const Request& request, const Error& error)
   this->UploadedBytes = 0;
 }
 
+bool VolumeResources::HasCurrentSamples() const
+{
+  const Request& request = this->CurrentRequest;
+  // Compare the size too: two vtkImageData objects can share an array that was modified after both.
+  return this->Scalars == request.Scalars &&
+    this->SamplesTime == std::max(request.Image->GetMTime(), request.Scalars->GetMTime()) &&
+    this->State.Samples.Size == GetSize(request) && this->IsWidened == this->State.IsSoftware;
+}
+
+std::vector<double> VolumeResources::MakeMaterialKey() const
+{
+  const Request& request = this->CurrentRequest;
+  return MakeKey(request.Volume->GetProperty(), this->State.Samples.Components,
+    request.Settings.TransmissionColor, GetScattering(request));
+}
+
+bool VolumeResources::IsCurrent() const
+{
+  return this->HasCurrentSamples() &&
+    this->MaterialOwner == this->CurrentRequest.Volume->GetProperty() &&
+    this->MaterialKey == this->MakeMaterialKey();
+}
+
 Error VolumeResources::UpdateSamples()
 {
   const Request& request = this->CurrentRequest;
   const bool isSoftware = this->State.IsSoftware;
-  const vtkMTimeType time = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
-  std::array<int, 3> size{};
-  const int* dimensions = request.Image->GetDimensions();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    size[axis] = request.IsOfCells ? std::max(dimensions[axis] - 1, 1) : dimensions[axis];
-  }
-  // Compare the size too: two vtkImageData objects can share an array that was modified after both.
-  if (this->Scalars == request.Scalars && this->SamplesTime == time &&
-    this->State.Samples.Size == size && this->IsWidened == isSoftware)
+  if (this->HasCurrentSamples())
   {
     return {};
   }
   this->Scalars = nullptr;
   this->MaterialOwner = nullptr;
-  if (Error error = this->State.Samples.Build(request.Scalars, size, isSoftware))
+  if (Error error = this->State.Samples.Build(request.Scalars, GetSize(request), isSoftware))
   {
     return error;
   }
@@ -127,7 +161,7 @@ Error VolumeResources::UpdateSamples()
     this->State.Blocks.Build(this->State.Samples);
   }
   this->Scalars = request.Scalars;
-  this->SamplesTime = time;
+  this->SamplesTime = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
   this->IsWidened = isSoftware;
   ++this->SamplesVersion;
   return {};
@@ -137,19 +171,14 @@ Error VolumeResources::UpdateMaterial()
 {
   const Request& request = this->CurrentRequest;
   vtkVolumeProperty* property = request.Volume->GetProperty();
-  vtkColorTransferFunction* transmission = request.Settings.TransmissionColor;
-  MaterialTable::Scattering scattering;
-  scattering.IsOn = request.Settings.ScatteringMode != vtkShadowedSliceSettings::NO_SCATTERING;
-  scattering.Albedo = scattering.IsOn ? request.Settings.ScatteringAlbedo.Get() : nullptr;
-  std::vector<double> key =
-    MakeKey(property, this->State.Samples.Components, transmission, scattering);
+  std::vector<double> key = this->MakeMaterialKey();
   if (this->MaterialOwner == property && this->MaterialKey == key)
   {
     return {};
   }
   this->MaterialOwner = nullptr;
-  if (Error error =
-        this->State.Material.Build(property, this->State.Samples, transmission, scattering))
+  if (Error error = this->State.Material.Build(
+        property, this->State.Samples, request.Settings.TransmissionColor, GetScattering(request)))
   {
     return error;
   }

@@ -102,6 +102,12 @@ public:
   /// values of this volume.
   void SetReport(const SliceReport& shared, const std::string& features);
 
+  /// Returns true if UpdateData has nothing to compute for the request.
+  bool IsCurrent() const;
+
+  /// Copies the report of another volume, which was drawn instead of this one.
+  void CopyReport(const VolumeResources& other) { this->Report = other.Report; }
+
   /// Sets the report to the report of the previous image, which is shown again without any passes.
   void ReuseReport();
 
@@ -110,6 +116,9 @@ public:
 private:
   struct WindowResources;
 
+  bool HasCurrentSamples() const;
+  /// Returns the inputs of the material.
+  std::vector<double> MakeMaterialKey() const;
   Error UpdateSamples();
   Error UpdateMaterial();
 

@@ -18,7 +18,7 @@ namespace interlume
 
 /**
  * @class   ImageKey
- * @brief   identifies the state from which a mapper draws its image of a volume
+ * @brief   identifies the state that determines a mapper's image of a volume
  *
  * Keys are equal only if the images are equal. A key contains the window, viewport, camera, lights,
  * the depths of opaque surfaces, and the modification times of the volume's property, the mapper

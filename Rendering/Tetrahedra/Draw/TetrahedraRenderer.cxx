@@ -15,6 +15,7 @@
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
@@ -323,6 +324,7 @@ double TetrahedraRenderer::BeginPass(
   if (!request.Mapper->GetProgressiveRendering() || request.CellStride > 1)
   {
     this->Refinement.Clear();
+    this->ReleaseSample(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
     return request.Mapper->GetAutoAdjustLevelOfDetail() ? allocated
                                                         : std::numeric_limits<double>::infinity();
   }
@@ -385,6 +387,19 @@ Error TetrahedraRenderer::RenderSample(
   sampled.Boundary = nullptr;
   sampled.CellStride = this->Sample.GetStride();
   return this->SampleRenderer->Render(renderer, volume, sampled, report);
+}
+
+void TetrahedraRenderer::ReleaseSample(vtkOpenGLRenderWindow* window)
+{
+  if (this->SampleRenderer)
+  {
+    // Releasing a framebuffer unbinds the current framebuffer.
+    window->GetState()->PushFramebufferBindings();
+    this->SampleRenderer->ReleaseGraphicsResources(window);
+    window->GetState()->PopFramebufferBindings();
+    this->SampleRenderer.reset();
+    this->Sample = GridSample();
+  }
 }
 
 void TetrahedraRenderer::UpdateLevels(vtkRenderer* renderer, TetrahedraReport& report)

@@ -105,6 +105,7 @@ private:
   /// Draws a sample of the input.
   Error RenderSample(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
+  void ReleaseSample(vtkOpenGLRenderWindow* window);
   /// Clears the measured times if they do not apply to this image.
   void UpdateLevels(vtkRenderer* renderer, TetrahedraReport& report);
   /// Returns the level of detail for an image that may take \a seconds; 0 is full detail.
