@@ -7,6 +7,7 @@
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
 #include "pqPVApplicationCore.h"
+#include "pqProgressManager.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 #include "pqView.h"
@@ -50,6 +51,8 @@ pqProgressiveViews::~pqProgressiveViews() = default;
 
 void pqProgressiveViews::startup()
 {
+  QObject::connect(pqApplicationCore::instance()->getProgressManager(), &pqProgressManager::abort,
+    this, &pqProgressiveViews::stop);
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(model, &pqServerManagerModel::viewAdded, this, &pqProgressiveViews::addView);
   for (pqView* view : model->findItems<pqView*>())
@@ -61,6 +64,12 @@ void pqProgressiveViews::startup()
 void pqProgressiveViews::shutdown()
 {
   this->Timer.stop();
+}
+
+void pqProgressiveViews::stop()
+{
+  this->Timer.stop();
+  pqApplicationCore::instance()->getProgressManager()->setEnableAbort(false);
 }
 
 void pqProgressiveViews::addView(pqView* view)
@@ -115,6 +124,7 @@ void pqProgressiveViews::refine()
   this->MousePosition = position;
   if (++this->Refinements > MAXIMUM_REFINEMENTS)
   {
+    this->stop();
     return;
   }
   for (const QPointer<pqView>& view : this->Views)
@@ -124,6 +134,7 @@ void pqProgressiveViews::refine()
     {
       continue;
     }
+    pqApplicationCore::instance()->getProgressManager()->setEnableAbort(true);
     if (isMoving)
     {
       this->Refinements = 0;
@@ -133,5 +144,9 @@ void pqProgressiveViews::refine()
     this->IsRefining = true;
     view->forceRender();
     this->IsRefining = false;
+  }
+  if (!this->Timer.isActive())
+  {
+    this->stop();
   }
 }

@@ -16,7 +16,8 @@ class vtkObject;
  * @brief   refines Interlume's volumes in the render views of the client
  *
  * A view first shows a coarse image of a volume, and is rendered again until the image is final. A
- * movement of the mouse aborts the rendering, which restarts when the mouse rests. Screenshots and
+ * movement of the mouse aborts the rendering, which restarts when the mouse rests. The abort button
+ * in the status bar, which is enabled until then, leaves the coarse image. Screenshots and
  * animations are always final, as are views that a server renders.
  */
 class pqProgressiveViews : public QObject
@@ -37,6 +38,8 @@ private Q_SLOTS:
   void checkAbort(vtkObject* window);
   void scheduleRefinement();
   void refine();
+  /// Leaves the images as they are until the next rendering.
+  void stop();
 
 private:
   Q_DISABLE_COPY(pqProgressiveViews)

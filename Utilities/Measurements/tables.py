@@ -27,6 +27,10 @@ def shadowed(number):
     return {"method": "shadows", "peer": "shadows-off", "parameter": number}
 
 
+def used(method):
+    return {"method": method, "parameter": "on"}
+
+
 def equal_error(integrator):
     return {"method": "equal-error", "peer": f"streamtracer-{integrator}"}
 
@@ -122,6 +126,14 @@ TABLES = {
                            ("unfiltered", "{ratio}", {"method": "textures, unfiltered", "peer": "gpu-rgba"}),
                            ("filtered, four independent components", "{ratio}", {"method": "textures", "peer": "gpu"})],
                           method="textures", peer="gpu-rgba"),
+    "client": table(
+        "client", "use", "case",
+        [("first image", "{first_seconds}"), ("complete image", "{still_seconds}"),
+         ("rotation: images per second", "{frames/processor_seconds:2}", used("rotate")),
+         ("longest wait", "{longest_seconds}", used("rotate")),
+         ("slider or handle: images per second", "{frames/processor_seconds:2}", used(("slider", "handle"))),
+         ("longest wait", "{longest_seconds}", used(("slider", "handle"))),
+         ("panel group collapsed", "{still_seconds}", used("collapse"))], **used("shown")),
     "growth": table("growth", "N", "case",
                     [("time", FITTED), ("memory", FITTED, {"method": "memory exponent"})], method="time exponent"),
     "ranks": table("ranks", "task, processes", "case parameter",

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refinement/RenderProgress.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
-#include "vtkObject.h"
 #include "vtkRenderWindow.h"
 #include "vtkTimerLog.h"
 
 namespace interlume
 {
 
-RenderProgress::RenderProgress(vtkRenderWindow* window, vtkObject* mapper)
+RenderProgress::RenderProgress(vtkRenderWindow* window, vtkAlgorithm* mapper)
   : Window(window)
   , Mapper(mapper)
   , EventTime(vtkTimerLog::GetUniversalTime())
 {
+  mapper->SetProgressText("Rendering");
 }
 
 bool RenderProgress::IsAborted(double fraction)
@@ -23,6 +24,8 @@ bool RenderProgress::IsAborted(double fraction)
   {
     this->EventTime = now;
     this->Mapper->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
+    this->Mapper->UpdateProgress(fraction);
+    this->Window->MakeCurrent();
   }
   return this->Window->CheckAbortStatus() != 0;
 }

@@ -4,7 +4,7 @@
 
 #include "InterlumeSceneModule.h"
 
-class vtkObject;
+class vtkAlgorithm;
 class vtkRenderWindow;
 
 namespace interlume
@@ -15,7 +15,7 @@ namespace interlume
  * @brief   reports the progress of an image and checks if the window aborts it
  *
  * Mappers call IsAborted() between parts of an image: slabs, tiles or rows. An image that takes
- * less than EVENT_SECONDS has no progress events.
+ * less than EVENT_SECONDS has no progress events. ParaView shows ProgressEvent in its status bar.
  */
 class INTERLUMESCENE_EXPORT RenderProgress
 {
@@ -23,18 +23,19 @@ public:
   static constexpr double EVENT_SECONDS = 0.1;
 
   /// Begins an image of \a mapper in \a window.
-  RenderProgress(vtkRenderWindow* window, vtkObject* mapper);
+  RenderProgress(vtkRenderWindow* window, vtkAlgorithm* mapper);
 
   /**
    * Returns true if the image must not be completed. At most every EVENT_SECONDS, the mapper first
-   * invokes vtkCommand::VolumeMapperRenderProgressEvent with \a fraction, a double from 0 to 1.
-   * vtkRenderWindow limits its AbortCheckEvent to five per second.
+   * invokes vtkCommand::VolumeMapperRenderProgressEvent and ProgressEvent with \a fraction, a
+   * double from 0 to 1. Observers may draw in other OpenGL contexts. vtkRenderWindow limits its
+   * AbortCheckEvent to five per second.
    */
   bool IsAborted(double fraction);
 
 private:
   vtkRenderWindow* Window;
-  vtkObject* Mapper;
+  vtkAlgorithm* Mapper;
   double EventTime;
 };
 

@@ -49,6 +49,10 @@ constexpr double GPU_SECONDS = 1e-8;
 /// Tolerance of the transfer functions of subsets. Segments that cross control points of curved
 /// functions or color tables take a large part of the time.
 constexpr double SUBSET_TOLERANCE = 0.01;
+/// Fractions of an image's progress after building the mesh, its colors or a subset, and the order.
+constexpr double MESHED = 0.15;
+constexpr double COLORED = 0.2;
+constexpr double ARRANGED = 0.3;
 /// Level of detail of samples: half of the tetrahedra, and half of the image's width and height.
 constexpr int SAMPLE_LEVEL = 2;
 
@@ -516,8 +520,8 @@ Error TetrahedraRenderer::ClipMesh(const Request& request, const std::vector<std
   return {};
 }
 
-bool TetrahedraRenderer::DrawFrame(
-  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report)
+bool TetrahedraRenderer::DrawFrame(vtkRenderer* renderer, vtkVolume* volume,
+  WindowResources& resources, RenderProgress& progress, TetrahedraReport& report)
 {
   if (report.RenderPath == Mapper::OPENGL_PATH)
   {
@@ -533,7 +537,7 @@ bool TetrahedraRenderer::DrawFrame(
     }
   }
   return report.RenderPath != Mapper::SOFTWARE_PATH ||
-    this->DrawInSoftware(renderer, volume, resources, report);
+    this->DrawInSoftware(renderer, resources, progress, report);
 }
 
 TetrahedraRenderer::WindowResources& TetrahedraRenderer::GetResources(vtkWindow* window)
@@ -581,13 +585,18 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
     report.Tetrahedra = request.Grid->GetNumberOfCells();
     return this->EndPass(error, false);
   }
+  RenderProgress progress(&window, request.Mapper);
+  if (progress.IsAborted(0.0))
+  {
+    return {};
+  }
   Error error = this->UpdateMesh(request, report);
   this->CountTetrahedra(request, report);
   if (error || this->Full.Mesh.Corners.empty())
   {
     return this->EndPass(error, true);
   }
-  if (window.CheckAbortStatus())
+  if (progress.IsAborted(MESHED))
   {
     return {};
   }
@@ -597,6 +606,10 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
   const int level = this->ChooseLevel(renderer, seconds, request, report);
   error =
     this->UpdateFrame(renderer, volume, request, this->LevelOfDetail.GetSubsetSize(level), report);
+  if (!error && progress.IsAborted(COLORED))
+  {
+    return {};
+  }
   // Changes of the data take time only once, so the level of detail does not depend on it.
   const double start = vtkTimerLog::GetUniversalTime();
   error = error ? error : this->ArrangeFrame(request, report);
@@ -610,7 +623,7 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
     this->Select(renderer, selector, resources);
     return {};
   }
-  if (!this->DrawFrame(renderer, volume, resources, report))
+  if (!this->DrawFrame(renderer, volume, resources, progress, report))
   {
     return {};
   }
@@ -645,8 +658,8 @@ Error TetrahedraRenderer::DrawWithOpenGL(
   return error;
 }
 
-bool TetrahedraRenderer::DrawInSoftware(
-  vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report)
+bool TetrahedraRenderer::DrawInSoftware(vtkRenderer* renderer, WindowResources& resources,
+  RenderProgress& progress, TetrahedraReport& report)
 {
   this->ReadDepth(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -655,9 +668,9 @@ bool TetrahedraRenderer::DrawInSoftware(
   // Reuse the image if neither the camera nor the scene changed.
   if (!(resources.Drawn == state))
   {
-    RenderProgress progress(window, volume->GetMapper());
-    if (!this->Rasterizer.Draw(this->Shown->Frame,
-          [&progress](double fraction) { return progress.IsAborted(fraction); }))
+    const auto isAborted = [&progress](double fraction)
+    { return progress.IsAborted(ARRANGED + (1.0 - ARRANGED) * fraction); };
+    if (!this->Rasterizer.Draw(this->Shown->Frame, isAborted))
     {
       return false;
     }

@@ -40,6 +40,7 @@ namespace interlume
 {
 
 class PieceExchange;
+class RenderProgress;
 
 /**
  * @class   TetrahedraRenderer
@@ -122,15 +123,15 @@ private:
   /// Returns an error if a clipping plane is invalid.
   Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
   /// Returns false if the image was aborted.
-  bool DrawFrame(
-    vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
+  bool DrawFrame(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
+    RenderProgress& progress, TetrahedraReport& report);
   bool HasSingleColor() const;
   const std::vector<std::uint32_t>* UpdateOrder(const Request& request, TetrahedraReport& report);
   Error DrawWithOpenGL(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
   /// Returns false if the image was aborted.
-  bool DrawInSoftware(
-    vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
+  bool DrawInSoftware(vtkRenderer* renderer, WindowResources& resources, RenderProgress& progress,
+    TetrahedraReport& report);
   /// Draws the image of this process's partition.
   Error RenderMesh(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     vtkOpenGLRenderWindow& window, TetrahedraReport& report);
