@@ -5,6 +5,7 @@
 #include "vtkDrawingPass.h"
 #include "vtkGridExchange.h"
 #include "vtkPieceProcesses.h"
+#include "vtkSelectionIds.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkVolumeFunctions.h"
 
@@ -58,6 +59,7 @@ vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
   : IsLocal(IsOneProcess())
   , Functions(std::make_unique<vtkVolumeFunctions>())
   , Constant(std::make_unique<vtkConstantScalars>())
+  , SelectionIds(std::make_unique<vtkSelectionIds>())
 {
   this->SetMapper(vtkNew<vtkTimeWeightedTetrahedraMapper>());
   this->vtkUnstructuredGridVolumeRepresentation::SetActiveVolumeMapper(MAPPER_NAME);
@@ -83,7 +85,9 @@ bool vtkIntervalVolumeRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  this->ViewRenderer = vtkPVRenderView::SafeDownCast(view)->GetRenderer();
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  renderView->RegisterPropForHardwareSelection(this, this->Actor);
+  this->ViewRenderer = renderView->GetRenderer();
   this->Observer = this->ViewRenderer->AddObserver(
     vtkCommand::StartEvent, this, &vtkIntervalVolumeRepresentation::OnRenderStart);
   return true;
@@ -95,12 +99,51 @@ bool vtkIntervalVolumeRepresentation::RemoveFromView(vtkView* view)
   {
     this->ViewRenderer->RemoveObserver(this->Observer);
     this->ViewRenderer = nullptr;
+    vtkPVRenderView::SafeDownCast(view)->UnRegisterPropForHardwareSelection(this, this->Actor);
   }
   return this->Superclass::RemoveFromView(view);
 }
 
+void vtkIntervalVolumeRepresentation::SetActiveAssembly(const char* name)
+{
+  this->SelectionIds->GetPreprocessor()->SetAssemblyName(name);
+  this->Superclass::SetActiveAssembly(name);
+}
+
+void vtkIntervalVolumeRepresentation::AddBlockSelector(const char* selector)
+{
+  this->SelectionIds->GetPreprocessor()->AddSelector(selector);
+  this->Superclass::AddBlockSelector(selector);
+}
+
+void vtkIntervalVolumeRepresentation::RemoveAllBlockSelectors()
+{
+  this->SelectionIds->GetPreprocessor()->ClearSelectors();
+  this->Superclass::RemoveAllBlockSelectors();
+}
+
+void vtkIntervalVolumeRepresentation::UpdateSelectionIds()
+{
+  auto* drawn = vtkUnstructuredGrid::SafeDownCast(this->Mapper->GetDataSetInput());
+  auto* made = vtkUnstructuredGrid::SafeDownCast(this->Preprocessor->GetOutputDataObject(0));
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  if (input && drawn && made && drawn->GetCells() == made->GetCells())
+  {
+    this->Mapper->SetSelectionIds(this->SelectionIds->Update(input, made));
+    return;
+  }
+  // The tetrahedra are from other processes and their ids are unknown. Select nothing.
+  vtkNew<vtkUnstructuredGrid> unknown;
+  this->Mapper->SetSelectionIds(unknown);
+}
+
 void vtkIntervalVolumeRepresentation::OnRenderStart()
 {
+  if (this->ViewRenderer->GetSelector() && this->GetVisibility())
+  {
+    this->UpdateSelectionIds();
+  }
   if (this->IsSingleImage && this->GetVisibility())
   {
     vtkDrawingPass(this->ViewRenderer).RenderOnAllProcesses();

@@ -16,6 +16,7 @@ class vtkConstantScalars;
 class vtkDataArray;
 class vtkPiecewiseFunction;
 class vtkRenderer;
+class vtkSelectionIds;
 class vtkTimeWeightedTetrahedraMapper;
 class vtkTrivialProducer;
 class vtkVolumeFunctions;
@@ -31,6 +32,10 @@ class vtkVolumeFunctions;
  *
  * **Interaction.** Without a server, the mapper draws a subset of the tetrahedra in the time that
  * the view allocates (see vtkTimeWeightedTetrahedraMapper::SetAutoAdjustLevelOfDetail).
+ *
+ * **Selection.** Cells, points and hovered values are those of the input, also if the tetrahedra
+ * are parts of other cells or from several blocks. See vtkTimeWeightedTetrahedraMapper for the
+ * cells that are seen. Nothing can be selected if ParaView has redistributed the cells.
  *
  * **Several processes.** Blend modes that do not depend on order produce the same image as a single
  * process, for any distribution of the pieces (see vtkTimeWeightedTetrahedraMapper::GatherPieces).
@@ -82,6 +87,16 @@ public:
    */
   void SetDeltaTArrayName(const char* name);
 
+  ///@{
+  /**
+   * Select the blocks of composite data to draw: the name of the data assembly, and selectors. See
+   * the superclass. Default: no block.
+   */
+  void SetActiveAssembly(const char* name);
+  void AddBlockSelector(const char* selector);
+  void RemoveAllBlockSelectors();
+  ///@}
+
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
@@ -117,8 +132,11 @@ private:
   void GatherPieces(bool isReduced);
   /// Issues a warning on the first process, but only once per session for each text.
   void WarnOnce(const std::string& text);
-  /// Called before each rendering. Makes all processes render if they render one image together.
+  /// Called before each rendering. Makes all processes render if they render one image together,
+  /// and sets the ids if something is selected.
   void OnRenderStart();
+  /// Sets the ids that selection returns.
+  void UpdateSelectionIds();
 
   vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> Mapper;
   vtkNew<vtkTrivialProducer> Collection;
@@ -134,6 +152,7 @@ private:
   bool HaveExtentInTime = false;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;
+  std::unique_ptr<vtkSelectionIds> SelectionIds;
 };
 
 #endif

@@ -151,6 +151,20 @@ vtkTexture* vtkTimeWeightedTetrahedraMapper::GetBoundaryTexture() const
   return this->BoundaryTexture;
 }
 
+void vtkTimeWeightedTetrahedraMapper::SetSelectionIds(vtkDataSet* ids)
+{
+  if (ids != this->SelectionIds)
+  {
+    this->SelectionIds = ids;
+    this->Modified();
+  }
+}
+
+vtkDataSet* vtkTimeWeightedTetrahedraMapper::GetSelectionIds() const
+{
+  return this->SelectionIds;
+}
+
 vtkMTimeType vtkTimeWeightedTetrahedraMapper::GetMTime()
 {
   vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->BoundaryProperty->GetMTime());
@@ -380,6 +394,7 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundaryProperty:\n";
   this->BoundaryProperty->PrintSelf(os, indent.GetNextIndent());
   os << indent << "BoundaryTexture: " << this->BoundaryTexture.Get() << "\n";
+  os << indent << "SelectionIds: " << this->SelectionIds.Get() << "\n";
   os << indent << "AutoAdjustLevelOfDetail: " << this->AutoAdjustLevelOfDetail << "\n";
   os << indent << "ProgressiveRendering: " << this->ProgressiveRendering << "\n";
   os << indent << "Processes: " << (this->Pieces ? this->Pieces->GetNumberOfRanks() : 1) << "\n";

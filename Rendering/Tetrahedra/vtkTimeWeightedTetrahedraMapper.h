@@ -60,8 +60,14 @@ struct TetrahedraArrays;
  *
  * **Other props**: opaque props hide the parts of the volume behind them. Translucent polygons are
  * always drawn behind the volume, except the boundary triangles of port 1.
- * UseDepthPeelingForVolumes is ignored with a warning. Along each view ray, hardware selection
- * returns the first tetrahedron that is not fully transparent there.
+ * UseDepthPeelingForVolumes is ignored with a warning.
+ *
+ * **Selection**: vtkHardwareSelector returns the tetrahedron seen at each pixel. Up to this
+ * tetrahedron, the opacity along the view ray grows to half of the pixel's opacity, so one half of
+ * what the pixel shows is in front and the other half behind. A pixel without opacity shows none.
+ * If points are selected, the closest corner of this tetrahedron is returned at pixels up to 3
+ * pixels from it. Selection always uses the whole mesh and the CPU. With several processes, each
+ * process finds the tetrahedra seen in its partition.
  *
  * **Cameras and clipping**: all projections of vtkCamera are supported, including stereo, view
  * shear, off-axis projection and user transforms. Tetrahedra are cut exactly at the near plane, at
@@ -276,6 +282,22 @@ public:
 
   ///@{
   /**
+   * Set/Get the ids that hardware selection returns, if port 0 was derived from other data. This is
+   * a dataset with the same numbers of points and cells as port 0, and the arrays
+   * SelectionCellIds(), SelectionBlockIds() and SelectionPointIds() of type vtkIdType. If the
+   * numbers differ, nothing can be selected. Default null: the ids of port 0.
+   */
+  void SetSelectionIds(vtkDataSet* ids);
+  vtkDataSet* GetSelectionIds() const;
+  /// Return the names of the cell arrays with cell ids and composite indices, and of the point
+  /// array with point ids.
+  static const char* SelectionCellIds() { return "SelectionCellIds"; }
+  static const char* SelectionBlockIds() { return "SelectionBlockIds"; }
+  static const char* SelectionPointIds() { return "SelectionPointIds"; }
+  ///@}
+
+  ///@{
+  /**
    * If on, render with fewer pixels and a subset of the tetrahedra if full detail would take longer
    * than the render time allocated to the volume (DesiredUpdateRate of the window or its
    * interactor). Tetrahedra of a subset are enlarged so that mean opacity and brightness remain
@@ -377,6 +399,7 @@ private:
   std::map<int, double> LayerPriorities;
   vtkSmartPointer<vtkProperty> BoundaryProperty;
   vtkSmartPointer<vtkTexture> BoundaryTexture;
+  vtkSmartPointer<vtkDataSet> SelectionIds;
   bool AutoAdjustLevelOfDetail = true;
   bool ProgressiveRendering = false;
   vtkNew<vtkInterlumeReport> Report;

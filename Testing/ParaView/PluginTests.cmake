@@ -116,6 +116,8 @@ plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"
 set_tests_properties(TestPluginRepresentationPieces PROPERTIES RUN_SERIAL ON)
 
 set(client "${PVPYTHON}" --force-offscreen-rendering)
+# Selection requires a client.
+plugin_test(TestPluginSelection "paraview;value" ${client} "${script}/TestPluginSelection.py")
 plugin_test(TestPluginNoServer "paraview;image"
   ${batch} "${script}/TestPluginServer.py" write "${server_file}")
 plugin_test(TestPluginServer "paraview;image"

@@ -73,6 +73,9 @@ UNDO = [(MENU_BAR + "/menu_Edit", "activate", "actionEditUndo")]
 LEGEND = "GetScalarBar(GetColorTransferFunction('AsH3'), GetActiveView()).RangeLabelFormat"
 ROWS = "[round(value, 6) for value in FindSource('IntervalVolume1').Intervals]"
 HANDLES = "newcomer_record.handles()"
+# Number of cells that are selected in the input of the filter.
+SOURCE_CELLS = ("(lambda selection: selection.GetProperty('Input').GetProxy(0).GetProperty('IDs').GetNumberOfElements()"
+                " // 2 if selection else 0)(FindSource('IntervalVolume1').Input.SMProxy.GetSelectionInput(0))")
 DISPLAY = "GetRepresentation(GetActiveSource(), GetActiveView())"
 ONE = [0.1, 0.12]
 USES = {
@@ -108,6 +111,11 @@ USES = {
     "drag before Apply": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + WATCH + dragged("Intervals", [8, 14])
          + [check(APPLY[0], "enabled", "true")], "newcomer_record.FRAMES", [])],
+    "source cells": [
+        (opened("disk_out_ref.vtu") + applied("IntervalVolume") + shell("Render(); SelectSurfaceCells()"), SOURCE_CELLS, 0),
+        (shell("FindSource('IntervalVolume1').GenerateOriginArrays = 1") + [APPLY]
+         + shell("Render(); SelectSurfaceCells()"), SOURCE_CELLS + " > 100", True),
+        (shell("ClearSelection()"), SOURCE_CELLS, 0)],
     "skipped cells": [
         (shell("w = Wavelet(); w.UpdatePipeline(); f = ProgrammableFilter(Input=w); f.Script = 'import numpy; "
                "v = inputs[0].PointData[\"RTData\"]; "

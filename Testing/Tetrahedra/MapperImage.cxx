@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tetrahedra/MapperImage.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceRay.h"
 #include "Support/Images/VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProjectedTetrahedraMapper.h"
+#include "vtkProperty.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -110,6 +115,46 @@ RgbaImage DrawWithVtkMapper(const ImageCase& what)
   mapper->SetInputData(static_cast<vtkDataSet*>(what.Grid));
   SelectScalars(mapper, what.Settings.Arrays);
   return Draw(mapper, what);
+}
+
+void AddPlane(ImageCase& what, double behind, const Point3& color)
+{
+  double focalPoint[3];
+  what.Camera->GetFocalPoint(focalPoint);
+  double normal[3];
+  what.Camera->GetDirectionOfProjection(normal);
+  double center[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    center[k] = focalPoint[k] + behind * normal[k];
+  }
+  normal[0] += 0.15;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-10.0, -10.0, 0.0);
+  plane->SetPoint1(10.0, -10.0, 0.0);
+  plane->SetPoint2(-10.0, 10.0, 0.0);
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->SetNormal(normal);
+  plane->SetCenter(center);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  what.Actors.push_back(actor);
+
+  const PixelRays rays(what.Camera, what.Settings.Size);
+  what.Settings.OpaqueDistance.clear();
+  for (const auto& [j, i] : AllIndices(what.Settings.Size[1], what.Settings.Size[0]))
+  {
+    const Ray ray = rays.Get(i, j);
+    const Vector n = { normal[0], normal[1], normal[2] };
+    const Vector offset = { center[0] - ray.Origin[0], center[1] - ray.Origin[1],
+      center[2] - ray.Origin[2] };
+    what.Settings.OpaqueDistance.push_back(
+      static_cast<double>(Dot(n, offset) / Dot(n, ray.Direction)));
+  }
 }
 
 RgbaImage DrawReference(const ImageCase& what)

@@ -49,6 +49,10 @@ RgbaImage DrawByPath(int path, const ImageCase& what);
 RgbaImage DrawWithVtkMapper(const ImageCase& what);
 RgbaImage DrawReference(const ImageCase& what);
 
+/// Adds a slanted, opaque plane that fills the image. It passes through the camera's focal point,
+/// moved by \a behind along the view direction.
+void AddPlane(ImageCase& what, double behind, const std::array<double, 3>& color);
+
 const std::vector<int>& AllRenderPaths();
 std::string GetPathName(int path);
 

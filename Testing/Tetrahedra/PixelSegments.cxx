@@ -15,6 +15,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace reference
 {
@@ -102,8 +103,31 @@ PixelSegment PixelSegments::Get(int i, int j) const
   return { this->Unproject(x, y, -1.0), this->Unproject(x, y, 1.0) };
 }
 
+namespace
+{
+/// Returns the point of a segment up to which its opacity is half of the total.
+Point3 FindHalfOpacity(
+  const PixelSegment& segment, const std::function<double(const Point3&)>& extinction)
+{
+  constexpr int steps = 1000;
+  std::array<double, steps + 1> depths{};
+  const double step = (segment.GetTo() - segment.GetFrom()) / steps;
+  for (int i = 0; i < steps; ++i)
+  {
+    depths[i + 1] = depths[i] +
+      extinction(segment.At(segment.GetFrom() + (i + 0.5) * step)) * segment.GetLength() / steps;
+  }
+  const double half = -std::log(1.0 - 0.5 * (1.0 - std::exp(-depths.back())));
+  const auto next = std::upper_bound(depths.begin() + 1, depths.end() - 1, half);
+  const double behind = (*next - half) / (*next - *(next - 1));
+  return segment.At(
+    segment.GetFrom() + (static_cast<double>(next - depths.begin()) - behind) * step);
+}
+}
+
 int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* grid,
-  const std::function<void(PixelSegment&)>& cut)
+  const std::function<void(PixelSegment&)>& cut,
+  const std::function<double(const Point3&)>& extinction)
 {
   const PixelSegments segments(renderer);
   vtkNew<vtkMatrix4x4> inverse;
@@ -136,10 +160,8 @@ int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDa
         continue;
       }
       ++found;
-      // A point just behind the start of the segment, converted to the volume's coordinates.
-      const Point3 entry =
-        segment.At(segment.GetFrom() + 1e-6 * (segment.GetTo() - segment.GetFrom()));
-      double point[4] = { entry[0], entry[1], entry[2], 1.0 };
+      const Point3 position = FindHalfOpacity(segment, extinction);
+      double point[4] = { position[0], position[1], position[2], 1.0 };
       inverse->MultiplyPoint(point, point);
       int subId = 0;
       double parametric[3];
@@ -148,7 +170,7 @@ int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDa
       double weights[4];
       grid->GetCell(seen.AttributeID)
         ->EvaluatePosition(point, closest, subId, parametric, distance, weights);
-      check.That(distance < 1e-8, "selection: the cell is the first on the ray");
+      check.That(distance < 1e-6, "selection: the cell is at half of the opacity");
     }
   }
   return found;

@@ -77,13 +77,14 @@ private:
 };
 
 /**
- * Checks hardware selection at every third pixel along each axis: the selected cell must be the
- * first that the pixel's segment enters, and no cell may be selected if \a cut makes the segment
- * empty. Returns the number of checked pixels with cells. The volume must have been rendered
- * before.
+ * Checks hardware selection at every third pixel along each axis: the selected cell must contain
+ * the point of the pixel's segment up to which its opacity is half of the total, and no cell may be
+ * selected if \a cut makes the segment empty. \a extinction is a function of world coordinates.
+ * Returns the number of checked pixels with cells. The volume must have been rendered before.
  */
 int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* grid,
-  const std::function<void(PixelSegment&)>& cut);
+  const std::function<void(PixelSegment&)>& cut,
+  const std::function<double(const Point3&)>& extinction);
 
 }
 

@@ -11,9 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnsignedCharArray.h"
@@ -279,50 +277,6 @@ void TestNearlyOpaque(Check& check)
   {
     const ImageError error = CompareImages(DrawByPath(path, what), expected);
     check.Near(error.Max, 0.0, Bound, "nearly opaque, " + GetPathName(path), 1.0);
-  }
-}
-
-/// Adds a slanted, opaque plane that fills the image. It passes through the camera's focal point,
-/// moved by \a behind along the view direction.
-void AddPlane(ImageCase& what, double behind, const Point3& color)
-{
-  double position[3];
-  double focalPoint[3];
-  what.Camera->GetPosition(position);
-  what.Camera->GetFocalPoint(focalPoint);
-  double normal[3];
-  what.Camera->GetDirectionOfProjection(normal);
-  double center[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    center[k] = focalPoint[k] + behind * normal[k];
-  }
-  normal[0] += 0.15;
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-10.0, -10.0, 0.0);
-  plane->SetPoint1(10.0, -10.0, 0.0);
-  plane->SetPoint2(-10.0, 10.0, 0.0);
-  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->SetNormal(normal);
-  plane->SetCenter(center);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  what.Actors.push_back(actor);
-
-  const PixelRays rays(what.Camera, what.Settings.Size);
-  what.Settings.OpaqueDistance.clear();
-  for (const auto& [j, i] : AllIndices(what.Settings.Size[1], what.Settings.Size[0]))
-  {
-    const Ray ray = rays.Get(i, j);
-    const Vector n = { normal[0], normal[1], normal[2] };
-    const Vector offset = { center[0] - ray.Origin[0], center[1] - ray.Origin[1],
-      center[2] - ray.Origin[2] };
-    what.Settings.OpaqueDistance.push_back(
-      static_cast<double>(Dot(n, offset) / Dot(n, ray.Direction)));
   }
 }
 

@@ -454,15 +454,24 @@ void TestOpaque(Check& check, Scene& scene)
   surface->VisibilityOff();
 }
 
-/// Tests that the selected cell is the first along the pixel's segment.
+/// Tests that the selected cell is where the opacity along the pixel's segment is half of the
+/// total.
 void TestSelection(Check& check, Scene& scene)
 {
   vtkNew<Mapper> mapper;
   scene.SetMapper(mapper);
   scene.Stage.Render();
-  const int found =
-    CheckSelection(check, scene.Stage.GetRenderer(), scene.Stage.GetVolume(), scene.Grid,
-      [&scene](PixelSegment& segment) { segment.ClipToBox(Box, scene.Stage.GetVolume()); });
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(scene.Stage.GetVolume()->GetMatrix(), inverse);
+  const int found = CheckSelection(
+    check, scene.Stage.GetRenderer(), scene.Stage.GetVolume(), scene.Grid,
+    [&scene](PixelSegment& segment) { segment.ClipToBox(Box, scene.Stage.GetVolume()); },
+    [&inverse](const Point3& point)
+    {
+      double x[4] = { point[0], point[1], point[2], 1.0 };
+      inverse->MultiplyPoint(x, x);
+      return Extinctions[std::max(0, std::min(static_cast<int>(Slabs * x[0]), Slabs - 1))];
+    });
   check.That(found > 100, "selection: " + std::to_string(found) + " pixels");
 }
 

@@ -432,8 +432,10 @@ void TestSelection(Check& check, const Path& path, const Planes& planes, bool pa
   scene.SetMapper(mapper);
   SetPlanes(mapper, planes);
   scene.Stage.Render();
-  const int found = CheckSelection(check, scene.Stage.GetRenderer(), scene.GetVolume(), scene.Grid,
-    [&](PixelSegment& segment) { segment = Clip(segment, planes, scene.GetVolume()); });
+  const int found = CheckSelection(
+    check, scene.Stage.GetRenderer(), scene.GetVolume(), scene.Grid,
+    [&](PixelSegment& segment) { segment = Clip(segment, planes, scene.GetVolume()); },
+    [&](const Point3& point) { return GetExtinction(GetScalar(point, scene.GetVolume())); });
   check.That(found > 30, "selection: " + std::to_string(found) + " pixels");
 }
 

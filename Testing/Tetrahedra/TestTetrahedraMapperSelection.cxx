@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests that vtkHardwareSelector returns the input's cell ids, for separate tetrahedra, some of
-// which are skipped, transparent, hidden or cut by the near plane, with and without multisampling.
+// which are skipped, transparent, hidden, cut by the near plane or visible by boundary triangles
+// only, with and without multisampling.
 #include "Support/Images/CameraSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperImage.h"
@@ -8,8 +9,10 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
@@ -17,6 +20,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -24,6 +28,7 @@
 #include "vtkSelectionNode.h"
 #include "vtkSphereSource.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -208,7 +213,15 @@ void TestSkipped(Check& check, int path, bool parallel, int samples)
       4 * cell + 1, 0, std::numeric_limits<double>::quiet_NaN());
   }
   picker.Grid->Modified();
-  Expect(check, picker, { 2, 3, 9 }, "some skipped");
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(Cells);
+  ghosts->Fill(0);
+  ghosts->SetValue(5, vtkDataSetAttributes::DUPLICATECELL);
+  ghosts->SetValue(6, vtkDataSetAttributes::HIDDENCELL);
+  picker.Grid->GetCellData()->AddArray(ghosts);
+  picker.Grid->Modified();
+  Expect(check, picker, { 2, 3, 5, 6, 9 }, "some skipped");
 }
 
 void TestTransparent(Check& check, int path, bool parallel, int samples)
@@ -219,6 +232,37 @@ void TestTransparent(Check& check, int path, bool parallel, int samples)
                    { 6.6, Red, 1.0 }, { 15.0, Red, 1.0 } },
       0.25));
   Expect(check, picker, { 5, 6 }, "some transparent");
+}
+
+/// Tests that cells are seen if only their boundary triangles are visible.
+void TestBoundary(Check& check, int path, bool parallel, int samples)
+{
+  Picker picker(path, parallel, samples);
+  picker.Volume->SetProperty(MakeProperty({ { 0.0, Red, 0.0 }, { 15.0, Red, 0.0 } }, 0.25));
+  Ids missing;
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType cell = 0; cell < Cells; ++cell)
+  {
+    if (cell != 3 && cell != 12)
+    {
+      missing.insert(cell);
+      continue;
+    }
+    for (vtkIdType face = 0; face < 4; ++face)
+    {
+      vtkIdType ids[3];
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        ids[k] = 4 * cell + (face + k) % 4;
+      }
+      triangles->InsertNextCell(3, ids);
+    }
+  }
+  vtkNew<vtkPolyData> boundary;
+  boundary->SetPoints(picker.Grid->GetPoints());
+  boundary->SetPolys(triangles);
+  picker.Drawer->SetBoundaryData(boundary);
+  Expect(check, picker, missing, "boundary triangles");
 }
 
 void TestHidden(Check& check, int path, bool parallel, int samples)
@@ -248,6 +292,7 @@ void TestNearPlane(Check& check, int path, bool parallel, int samples)
   // The plane z = 0.05 removes the apex of each tetrahedron but not its center.
   picker.Renderer->GetActiveCamera()->SetClippingRange(position[2] - 0.05, position[2] + 10.0);
   Expect(check, picker, {}, "cut by the near plane");
+  picker.Window->Render();
   check.Equal(picker.Drawer->GetReport()->GetCount("TetrahedraClipped"), Cells,
     picker.Name + ": all are clipped");
 }
@@ -266,6 +311,7 @@ int TestTetrahedraMapperSelection(int, char*[])
         TestPlain(check, path, parallel, samples);
         TestSkipped(check, path, parallel, samples);
         TestTransparent(check, path, parallel, samples);
+        TestBoundary(check, path, parallel, samples);
         TestHidden(check, path, parallel, samples);
         TestNearPlane(check, path, parallel, samples);
       }

@@ -2,18 +2,17 @@
 #include "Draw/TetrahedraRenderer.h"
 
 #include "Draw/PieceImage.h"
+#include "Draw/TetrahedraSelection.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Loader/SoftwareOpenGL.h"
 #include "Offscreen/ImageQuad.h"
 #include "Offscreen/SceneDepth.h"
 #include "OpenGL/OpenGLRasterizer.h"
-#include "OpenGL/TetrahedraSelection.h"
 #include "Pieces/PieceExchange.h"
 #include "Refinement/RenderProgress.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPlane.h"
@@ -108,6 +107,17 @@ struct TetrahedraRenderer::WindowResources
   std::unique_ptr<OpenGLRasterizer> SubsetRasterizer;
   std::optional<DrawnState> Drawn;
   vtkIdType NumberDrawn = 0;
+  /// Draws the passes of a selection; null if the last image was not a selection.
+  std::unique_ptr<TetrahedraSelection> Selection;
+
+  void RemoveSelection(vtkWindow* window)
+  {
+    if (this->Selection)
+    {
+      this->Selection->ReleaseGraphicsResources(window);
+      this->Selection.reset();
+    }
+  }
 };
 
 TetrahedraRenderer::TetrahedraRenderer() = default;
@@ -567,8 +577,14 @@ Error TetrahedraRenderer::Render(
     return { "the render window is not a vtkOpenGLRenderWindow; use an OpenGL window",
       ErrorCode::OpenGL };
   }
-  Error error = request.Pieces ? this->RenderPieces(renderer, volume, request, *window, report)
-                               : this->RenderMesh(renderer, volume, request, *window, report);
+  const bool isSelection = renderer->GetSelector() != nullptr;
+  if (!isSelection)
+  {
+    this->GetResources(window).RemoveSelection(window);
+  }
+  Error error = isSelection ? this->Select(renderer, volume, request, *window, report)
+    : request.Pieces        ? this->RenderPieces(renderer, volume, request, *window, report)
+                            : this->RenderMesh(renderer, volume, request, *window, report);
   this->Shown->Clip.Remove(this->Shown->Mesh, this->Shown->Fields);
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   report.MemoryBytes = this->GetMemoryBytes();
@@ -618,11 +634,6 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
     return this->EndPass(error, true);
   }
   WindowResources& resources = this->GetResources(&window);
-  if (vtkHardwareSelector* selector = renderer->GetSelector())
-  {
-    this->Select(renderer, selector, resources);
-    return {};
-  }
   if (!this->DrawFrame(renderer, volume, resources, progress, report))
   {
     return {};
@@ -701,7 +712,11 @@ Error TetrahedraRenderer::UpdatePiece(
     return error;
   }
   error = this->UpdateFrame(renderer, volume, request, 0, report);
-  return error ? error : this->ArrangeFrame(request, report);
+  // Selection needs no order, except for layers.
+  const bool isSorted = !renderer->GetSelector() || report.BlendMode == Mapper::PRIORITY_BLEND;
+  return error ? error
+    : isSorted ? this->ArrangeFrame(request, report)
+               : this->ClipMesh(request, nullptr);
 }
 
 std::vector<int> TetrahedraRenderer::FindPieceOrder(
@@ -788,42 +803,31 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   return error;
 }
 
-void TetrahedraRenderer::Select(
-  vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
+Error TetrahedraRenderer::Select(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+  vtkOpenGLRenderWindow& window, TetrahedraReport& report)
 {
-  selector->BeginRenderProp();
-  selector->UpdateMaximumCellId(this->MeshState.Grid->GetNumberOfCells());
-  if (TetrahedraSelection::IsDrawn(selector))
+  WindowResources& resources = this->GetResources(&window);
+  std::unique_ptr<TetrahedraSelection>& selection = resources.Selection;
+  if (!selection || !selection->IsFound(renderer, volume))
   {
-    this->DrawSelection(renderer, selector, resources);
+    resources.RemoveSelection(&window);
+    this->ChooseBlend(request, report);
+    const Error error = this->UpdatePiece(renderer, volume, request, report);
+    if (error || this->Full.Mesh.Corners.empty())
+    {
+      return error;
+    }
+    // Both render paths select with the software rasterizer.
+    TetrahedraSelection::ReadDepth(renderer, this->Depth);
+    this->SetOpaqueDepth();
+    TetrahedraFrame frame = this->Full.Frame;
+    frame.IsSelection = true;
+    selection = std::make_unique<TetrahedraSelection>();
+    vtkDataSet* ids = request.Mapper->GetSelectionIds();
+    selection->Find(renderer, volume, frame, this->Full.Clip, { request.Grid, ids });
   }
-  selector->EndRenderProp();
-}
-
-void TetrahedraRenderer::DrawSelection(
-  vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
-{
-  // Cell ids depend neither on order nor on color. Both render paths draw them with the software
-  // rasterizer.
-  this->Shown->Frame.Blend = TetrahedraFrame::SELECTION;
-  this->Shown->Frame.Order = this->Shown->Clip.IsActive() ? &this->Shown->Clip.GetOrder() : nullptr;
-  this->ReadDepth(renderer);
-  this->Rasterizer.Draw(this->Shown->Frame);
-  std::vector<vtkIdType> cells;
-  cells.reserve(this->Rasterizer.GetTetrahedra().size());
-  for (std::uint32_t tetrahedron : this->Rasterizer.GetTetrahedra())
-  {
-    const std::uint32_t original = tetrahedron ? this->Shown->Clip.GetOriginal(tetrahedron - 1) : 0;
-    const vtkIdType cell = this->Shown->Mesh.Cells.empty() ? static_cast<vtkIdType>(original)
-                                                           : this->Shown->Mesh.Cells[original];
-    cells.push_back(tetrahedron ? cell + 1 : 0);
-  }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const TetrahedraView& view = this->Shown->Frame.View;
-  resources.Quad.Upload(window, view.GetWidth(), view.GetHeight(),
-    TetrahedraSelection::MakeImage(selector, view, cells, this->Rasterizer.GetDepths()), false);
-  resources.Quad.Draw(window, "SELECTION");
-  resources.Drawn.reset();
+  selection->Draw(renderer);
+  return {};
 }
 
 void TetrahedraRenderer::UpdateBoundary(
@@ -935,6 +939,7 @@ void TetrahedraRenderer::ReleaseGraphicsResources(vtkWindow* window)
       {
         resources.second->SubsetRasterizer->ReleaseGraphicsResources(resources.first);
       }
+      resources.second->RemoveSelection(resources.first);
     }
   }
   if (window)

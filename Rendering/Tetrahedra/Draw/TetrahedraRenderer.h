@@ -27,7 +27,6 @@
 #include <vector>
 
 class vtkDataSet;
-class vtkHardwareSelector;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTimeWeightedTetrahedraMapper;
@@ -144,9 +143,9 @@ private:
   /// Updates the changed parts of this process's partition. Returns an error if it cannot be drawn.
   Error UpdatePiece(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
-  void Select(vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
-  void DrawSelection(
-    vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
+  /// Draws a pass of the renderer's selector. Returns an error if the grid cannot be drawn.
+  Error Select(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
+    vtkOpenGLRenderWindow& window, TetrahedraReport& report);
   void ReadDepth(vtkRenderer* renderer);
   /// Sets the frame's opaque depth from the depth that was read.
   void SetOpaqueDepth();

@@ -27,9 +27,7 @@ struct TetrahedraFrame
     MAXIMUM,
     ADDITIVE,
     PRIORITY,
-    OPTICAL_DEPTH,
-    /// The first input cell on each view ray.
-    SELECTION
+    OPTICAL_DEPTH
   };
 
   /// Counts the changes of each kind of data. A window compares these counts with those of its last
@@ -71,6 +69,8 @@ struct TetrahedraFrame
   /// If true, the image contains the sums or maxima of the blend mode before their conversion to
   /// colors.
   bool IsSum = false;
+  /// If true, the image contains the tetrahedron seen at each pixel instead of colors (software).
+  bool IsSelection = false;
   /// Extinction that corresponds to opacity 1. MAXIMUM uses it to recover opacity.
   double ExtinctionUnit = 1.0;
   bool IsExact = true;

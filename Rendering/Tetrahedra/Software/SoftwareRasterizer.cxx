@@ -32,10 +32,8 @@ bool SoftwareRasterizer::Draw(
   this->Bins.Fill(frame);
   const std::size_t pixels =
     static_cast<std::size_t>(frame.View.GetWidth()) * frame.View.GetHeight();
-  const bool isSelection = frame.Blend == TetrahedraFrame::SELECTION;
-  this->Colors.resize(isSelection ? 0 : 4 * pixels);
-  this->Tetrahedra.resize(isSelection ? pixels : 0);
-  this->Depths.resize(isSelection ? pixels : 0);
+  this->Colors.resize(frame.IsSelection ? 0 : 4 * pixels);
+  this->Seen.resize(frame.IsSelection ? pixels : 0);
   const vtkIdType tiles = this->Bins.GetNumberOfTiles();
   const auto threads = static_cast<vtkIdType>(vtkSMPTools::GetEstimatedNumberOfThreads());
   vtkIdType group = isAborted ? TILES_PER_THREAD * threads : tiles;
@@ -57,7 +55,6 @@ bool SoftwareRasterizer::Draw(
 void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& frame, vtkIdType begin, vtkIdType end)
 {
   const auto width = static_cast<std::size_t>(frame.View.GetWidth());
-  const bool isSelection = frame.Blend == TetrahedraFrame::SELECTION;
   vtkSMPThreadLocal<std::shared_ptr<TileRasterizer>> rasterizers;
   vtkSMPTools::For(begin, end, 1,
     [&](vtkIdType first, vtkIdType last)
@@ -76,10 +73,9 @@ void SoftwareRasterizer::DrawTiles(const TetrahedraFrame& frame, vtkIdType begin
           {
             const std::size_t pixel =
               (rasterizer->GetBottom() + y) * width + rasterizer->GetLeft() + x;
-            if (isSelection)
+            if (frame.IsSelection)
             {
-              this->Tetrahedra[pixel] = rasterizer->GetTetrahedron(x, y);
-              this->Depths[pixel] = rasterizer->GetDepth(x, y);
+              this->Seen[pixel] = rasterizer->GetSeen(x, y);
             }
             else
             {

@@ -3,9 +3,9 @@
 #define interlume_SoftwareRasterizer_h
 
 #include "Frame/TetrahedraFrame.h"
+#include "Software/SeenTetrahedra.h"
 #include "Software/TileBins.h"
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -29,12 +29,10 @@ public:
     const TetrahedraFrame& frame, const std::function<bool(double fraction)>& isAborted = nullptr);
 
   /// Returns RGBA values, row by row from the bottom: premultiplied by opacity, or sums or maxima
-  /// if TetrahedraFrame::IsSum is true. Empty with SELECTION.
+  /// if TetrahedraFrame::IsSum is true. Empty with IsSelection.
   const std::vector<float>& GetColors() const { return this->Colors; }
-  /// Return for each pixel 1 plus the index of the closest tetrahedron, or 0 if there is none, and
-  /// the depth of this tetrahedron. Empty except with SELECTION.
-  const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
-  const std::vector<float>& GetDepths() const { return this->Depths; }
+  /// Returns the tetrahedron seen at each pixel. Empty except with IsSelection.
+  const std::vector<SeenTetrahedra::Seen>& GetSeen() const { return this->Seen; }
 
   vtkIdType GetNumberOfDrawnTetrahedra() const { return this->Bins.GetNumberOfDrawnTetrahedra(); }
   std::size_t GetBytes() const;
@@ -44,8 +42,7 @@ private:
 
   TileBins Bins;
   std::vector<float> Colors;
-  std::vector<std::uint32_t> Tetrahedra;
-  std::vector<float> Depths;
+  std::vector<SeenTetrahedra::Seen> Seen;
 };
 
 }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 namespace interlume
@@ -92,10 +91,9 @@ TileRasterizer::TileRasterizer(const TetrahedraFrame& frame, const TileBins& bin
   {
     this->Surface = std::make_unique<SurfaceFragments>(frame, bins);
   }
-  if (frame.Blend == Blends::SELECTION)
+  if (frame.IsSelection)
   {
-    this->Nearest.resize(SIZE * SIZE);
-    this->NearestDepth.resize(SIZE * SIZE);
+    this->Seen = std::make_unique<SeenTetrahedra>(frame, SIZE * SIZE);
   }
 }
 
@@ -146,9 +144,10 @@ void TileRasterizer::Begin(int tile)
   }
   std::fill(this->Pixels.begin(), this->Pixels.end(), empty);
   std::fill(this->Layer.begin(), this->Layer.end(), Pixel{ { 0.0f, 0.0f, 0.0f, 0.0f } });
-  std::fill(this->Nearest.begin(), this->Nearest.end(), 0u);
-  std::fill(
-    this->NearestDepth.begin(), this->NearestDepth.end(), std::numeric_limits<float>::lowest());
+  if (this->Seen)
+  {
+    this->Seen->Clear();
+  }
   for (int y = 0; y < this->Height; ++y)
   {
     for (int x = 0; x < this->Width; ++x)
@@ -171,7 +170,7 @@ void TileRasterizer::DrawTetrahedra(int tile)
 {
   const std::vector<int>& layers = this->Frame.Fields->Layers;
   const bool isLayered = this->Frame.Blend == Blends::PRIORITY;
-  const bool canEnd = this->Frame.Blend == Blends::COMPOSITE;
+  const bool canEnd = this->Frame.Blend == Blends::COMPOSITE && !this->Seen;
   int flushes = 0;
   const std::uint32_t* end = this->Bins.End(tile);
   for (const std::uint32_t* t = this->Bins.Begin(tile); t != end; ++t)
@@ -374,10 +373,11 @@ void TileRasterizer::IntegrateAndBlend()
   const Blends blend = this->Frame.Blend;
   if (blend == Blends::MAXIMUM && this->Channels.HasScalars)
   {
-    FragmentBlending::UpdateMaximumScalar(f, this->Pixels.data());
+    this->Seen ? this->Seen->AddMaximum(f, f.Scalar)
+               : FragmentBlending::UpdateMaximumScalar(f, this->Pixels.data());
     return;
   }
-  if (blend == Blends::MAXIMUM)
+  if (blend == Blends::MAXIMUM && !this->Seen)
   {
     FragmentBlending::UpdateMaximumColor(
       f, fields, static_cast<float>(1.0 / this->Frame.ExtinctionUnit), this->Pixels.data());
@@ -395,7 +395,12 @@ void TileRasterizer::IntegrateAndBlend()
   {
     FragmentIntegration::SetExtinction(f, fields.Colors.data());
   }
-  const bool isDepth = blend == Blends::PRIORITY || blend == Blends::OPTICAL_DEPTH;
+  if (blend == Blends::MAXIMUM)
+  {
+    this->Seen->AddMaximum(f, f.Extinction);
+    return;
+  }
+  const bool isDepth = this->Seen || blend == Blends::PRIORITY || blend == Blends::OPTICAL_DEPTH;
   const auto results = isDepth ? FragmentIntegration::OPTICAL_DEPTH : FragmentIntegration::OPACITY;
   const bool hasDeltaT = this->Channels.HasDeltaT;
   FragmentIntegration::Integrate(f, hasDeltaT, this->Frame.IsExact, results);
@@ -404,13 +409,21 @@ void TileRasterizer::IntegrateAndBlend()
     FragmentIntegration::ConvertToPieceWeights(
       f, *this->Frame.Pieces, hasDeltaT, this->Frame.IsExact, results);
   }
+  if (this->Surface)
+  {
+    this->Surface->Compute(
+      f, this->Left, this->Bottom, this->Frame.Opaque ? this->Opaque.data() : nullptr);
+  }
+  if (this->Seen)
+  {
+    this->Seen->Add(f, this->Surface.get());
+    return;
+  }
   switch (blend)
   {
     case Blends::COMPOSITE:
       if (this->Surface)
       {
-        this->Surface->Compute(
-          f, this->Left, this->Bottom, this->Frame.Opaque ? this->Opaque.data() : nullptr);
         FragmentBlending::CompositeWithSurface(f, this->Frame, *this->Surface, this->Pixels.data());
       }
       else
@@ -422,20 +435,8 @@ void TileRasterizer::IntegrateAndBlend()
     case Blends::OPTICAL_DEPTH:
       FragmentBlending::Sum(f, this->Frame, this->Pixels.data());
       break;
-    case Blends::PRIORITY:
-      FragmentBlending::Sum(f, this->Frame, this->Layer.data());
-      break;
     default:
-      FragmentBlending::ForEachSegment(f,
-        [this](int pixel, int i, const interlume::Fragments::Run& run)
-        {
-          if (this->Fragments.Total[i] > 0.0f &&
-            this->Fragments.Depth[0][i] > this->NearestDepth[pixel])
-          {
-            this->NearestDepth[pixel] = this->Fragments.Depth[0][i];
-            this->Nearest[pixel] = run.Tetrahedron + 1;
-          }
-        });
+      FragmentBlending::Sum(f, this->Frame, this->Layer.data());
   }
 }
 
@@ -457,6 +458,11 @@ bool TileRasterizer::IsOpaque() const
 void TileRasterizer::ResolveLayer()
 {
   this->Flush();
+  if (this->Seen)
+  {
+    this->Seen->BeginLayer();
+    return;
+  }
   for (int i = 0; i < SIZE * SIZE; ++i)
   {
     FragmentBlending::CompositeBehind(this->Pixels[i], FragmentBlending::Resolve(this->Layer[i]));
@@ -473,6 +479,11 @@ void TileRasterizer::Finish()
   else
   {
     this->Flush();
+  }
+  if (this->Seen)
+  {
+    this->Seen->Find();
+    return;
   }
   if (this->Frame.IsSum)
   {

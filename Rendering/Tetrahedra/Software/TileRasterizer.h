@@ -5,6 +5,7 @@
 #include "Frame/TetrahedraFrame.h"
 #include "Software/FragmentIntegration.h"
 #include "Software/Fragments.h"
+#include "Software/SeenTetrahedra.h"
 #include "Software/SurfaceFragments.h"
 #include "Software/TileBins.h"
 #include "View/TetrahedronSilhouette.h"
@@ -38,10 +39,8 @@ public:
   int GetHeight() const { return this->Height; }
   /// Returns a pixel of the tile. Call it after Draw().
   const Pixel& GetPixel(int x, int y) const { return this->Pixels[y * SIZE + x]; }
-  /// Return 1 plus the index of the closest tetrahedron at a pixel, or 0 if there is none, and the
-  /// depth of this tetrahedron. Call them after Draw() with SELECTION.
-  std::uint32_t GetTetrahedron(int x, int y) const { return this->Nearest[y * SIZE + x]; }
-  float GetDepth(int x, int y) const { return this->NearestDepth[y * SIZE + x]; }
+  /// Returns the tetrahedron seen at a pixel. Call it after Draw() with IsSelection.
+  const SeenTetrahedra::Seen& GetSeen(int x, int y) const { return this->Seen->Get(y * SIZE + x); }
 
 private:
   using Projected = TetrahedraView::Projected;
@@ -76,8 +75,8 @@ private:
   std::unique_ptr<SurfaceFragments> Surface;
   std::vector<float> Slant;
   std::vector<float> Opaque;
-  std::vector<std::uint32_t> Nearest;
-  std::vector<float> NearestDepth;
+  /// Tetrahedra seen; null except with IsSelection.
+  std::unique_ptr<SeenTetrahedra> Seen;
 };
 
 }

@@ -26,8 +26,9 @@ namespace
 class ImageRenderer
 {
 public:
+  /// If \a segments is not null, it gets the segments of each pixel, and no image is rendered.
   ImageRenderer(vtkUnstructuredGrid* grid, vtkVolumeProperty* property, vtkCamera* camera,
-    const CameraSettings& settings)
+    const CameraSettings& settings, std::vector<std::vector<RaySegment>>* segments = nullptr)
     : Settings(settings)
     , Material(grid, property, settings.Arrays)
     , Rays(camera, settings.Size)
@@ -44,6 +45,10 @@ public:
       throw std::invalid_argument("CameraSettings::Wanted must have one value per pixel");
     }
     this->ReadTetrahedra(grid);
+    if (segments)
+    {
+      segments->resize(pixels);
+    }
     const PixelBuckets buckets(this->Tetrahedra, this->Rays, settings.Size);
     vtkSMPTools::For(0, settings.Size[1],
       [&](vtkIdType begin, vtkIdType end)
@@ -52,7 +57,12 @@ public:
         {
           for (int i = 0; i < settings.Size[0]; ++i)
           {
-            if (settings.Wanted.empty() || settings.Wanted[j * settings.Size[0] + i])
+            const std::size_t pixel = static_cast<std::size_t>(j) * settings.Size[0] + i;
+            if (segments)
+            {
+              (*segments)[pixel] = this->GetSegments(this->Cross(i, j, buckets));
+            }
+            else if (settings.Wanted.empty() || settings.Wanted[pixel])
             {
               this->DrawPixel(i, j, buckets);
             }
@@ -152,6 +162,35 @@ private:
       light.AddBehind(Integrate(part));
     }
     return light;
+  }
+
+  std::vector<RaySegment> GetSegments(std::vector<Crossing> crossings) const
+  {
+    if (this->Settings.How == Blend::Priority)
+    {
+      std::stable_sort(crossings.begin(), crossings.end(),
+        [this](const Crossing& a, const Crossing& b)
+        { return this->GetLayerKey(a) > this->GetLayerKey(b); });
+    }
+    std::vector<RaySegment> segments;
+    for (const Crossing& crossing : crossings)
+    {
+      const ReferenceMaterial::Sample& largest =
+        crossing.AtEntry.OpacityArgument > crossing.AtExit.OpacityArgument ? crossing.AtEntry
+                                                                           : crossing.AtExit;
+      segments.push_back({ this->Cells[crossing.Id], static_cast<double>(crossing.Entry),
+        this->IntegrateCrossing(crossing).Depth, largest.OpacityArgument,
+        this->Material.GetOpacity(largest) });
+    }
+    return segments;
+  }
+
+  /// Returns the priority and the number of a crossing's layer.
+  std::pair<double, int> GetLayerKey(const Crossing& crossing) const
+  {
+    const int layer = this->Layers[crossing.Id];
+    const auto found = this->Settings.Priorities.find(layer);
+    return { found != this->Settings.Priorities.end() ? found->second : layer, layer };
   }
 
   void DrawPixel(int i, int j, const PixelBuckets& buckets)
@@ -264,10 +303,7 @@ private:
     std::map<std::pair<double, int>, Light, std::greater<>> layers;
     for (const Crossing& crossing : crossings)
     {
-      const int layer = this->Layers[crossing.Id];
-      const auto found = this->Settings.Priorities.find(layer);
-      const double priority = found != this->Settings.Priorities.end() ? found->second : layer;
-      layers[{ priority, layer }].AddBehind(this->IntegrateCrossing(crossing));
+      layers[this->GetLayerKey(crossing)].AddBehind(this->IntegrateCrossing(crossing));
     }
     for (const auto& layer : layers)
     {
@@ -297,6 +333,14 @@ RgbaImage MakeReferenceImage(vtkUnstructuredGrid* grid, vtkVolumeProperty* prope
   vtkCamera* camera, const CameraSettings& settings)
 {
   return ImageRenderer(grid, property, camera, settings).Get();
+}
+
+std::vector<std::vector<RaySegment>> MakeReferenceSegments(vtkUnstructuredGrid* grid,
+  vtkVolumeProperty* property, vtkCamera* camera, const CameraSettings& settings)
+{
+  std::vector<std::vector<RaySegment>> segments;
+  ImageRenderer(grid, property, camera, settings, &segments);
+  return segments;
 }
 
 }

@@ -5,6 +5,8 @@
 #include "Support/Images/ReferenceMaterial.h" // for the arrays
 #include "Support/Images/RgbaImage.h"         // for the image
 
+#include "vtkType.h" // for cells
+
 #include <array>  // for the size
 #include <map>    // for priorities
 #include <string> // for array names
@@ -74,6 +76,25 @@ struct CameraSettings
  */
 RgbaImage MakeReferenceImage(vtkUnstructuredGrid* grid, vtkVolumeProperty* property,
   vtkCamera* camera, const CameraSettings& settings);
+
+/// The part of a view ray in a tetrahedron.
+struct RaySegment
+{
+  vtkIdType Cell;
+  /// Distance from the origin of the ray.
+  double Entry;
+  double OpticalDepth;
+  /// Larger argument of the opacity function at the two ends, and the opacity there.
+  double Maximum;
+  double OpacityAtMaximum;
+};
+
+/**
+ * Returns the segments of each pixel's view ray, bottom row first. Segments are in order of entry;
+ * for Blend::Priority, those of layers with higher priority come first. See MakeReferenceImage().
+ */
+std::vector<std::vector<RaySegment>> MakeReferenceSegments(vtkUnstructuredGrid* grid,
+  vtkVolumeProperty* property, vtkCamera* camera, const CameraSettings& settings);
 
 }
 
