@@ -15,15 +15,21 @@
 #include "Fields/FieldVectors.h"
 #include "Samples/OutputPiece.h"
 
+#include "vtkAdaptiveSubdivisionFilter.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTriangle.h"
+#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +43,60 @@ namespace
 {
 constexpr double MaximumSteps = 1e6;
 constexpr double RelativeMinimumSpeed = 1e-9;
+/// Edges of a refined surface are so long that about this number of triangles covers it.
+constexpr double MaximumTriangles = 2e6;
+
+/// Returns the mean edge length of about a thousand evenly distributed cells; 0 without cells. The
+/// edges of a cell are those of a box with the same dimension and diagonal.
+double EstimateSpacing(vtkDataSet* points)
+{
+  constexpr vtkIdType number = 1000;
+  const vtkIdType stride = points->GetNumberOfCells() / number + 1;
+  vtkNew<vtkGenericCell> cell;
+  double sum = 0.0;
+  vtkIdType counted = 0;
+  for (vtkIdType id = 0; id < points->GetNumberOfCells(); id += stride)
+  {
+    points->GetCell(id, cell);
+    if (cell->GetCellDimension() > 0)
+    {
+      sum += std::sqrt(cell->GetLength2() / cell->GetCellDimension());
+      ++counted;
+    }
+  }
+  return counted > 0 ? sum / static_cast<double>(counted) : 0.0;
+}
+
+/// Returns the polygons of a surface as triangles with edges of at most \a length.
+vtkSmartPointer<vtkPolyData> Refine(vtkDataSet* surface, double length)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputDataObject(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  vtkPolyData* coarse = triangles->GetOutput();
+  double area = 0.0;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType id = 0; id < coarse->GetNumberOfCells(); ++id)
+  {
+    coarse->GetCell(id, cell);
+    double corners[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      cell->GetPoints()->GetPoint(i, corners[i]);
+    }
+    area += vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]);
+  }
+  vtkNew<vtkAdaptiveSubdivisionFilter> refined;
+  refined->SetInputData(coarse);
+  // A limit of the number or the area of triangles would leave holes or cracks.
+  refined->SetMaximumEdgeLength(std::max(length, 2.0 * std::sqrt(area / MaximumTriangles)));
+  refined->SetMaximumTriangleArea(VTK_DOUBLE_MAX);
+  refined->SetMaximumNumberOfTriangles(VTK_ID_MAX);
+  refined->Update();
+  return refined->GetOutput();
+}
 }
 
 vtkFlowLIC::vtkFlowLIC()
@@ -90,6 +150,10 @@ interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points, interlume::FlowLICRep
     const double diagonal =
       interlume::Vectors::SafeLength({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
     report.NoiseScale = diagonal > 0.0 ? diagonal / 128.0 : 1.0;
+    if (!this->CanRefine(points))
+    {
+      report.NoiseScale = std::max(report.NoiseScale, 2.0 * EstimateSpacing(points));
+    }
   }
   report.Length = this->Length > 0.0 ? this->Length : 10.0 * report.NoiseScale;
   const double step = this->StepLength > 0.0 ? this->StepLength : 0.25 * report.NoiseScale;
@@ -103,6 +167,13 @@ interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points, interlume::FlowLICRep
   report.Steps = static_cast<int>(steps);
   report.StepLength = report.Length / steps;
   return {};
+}
+
+bool vtkFlowLIC::CanRefine(vtkDataSet* points) const
+{
+  auto* surface = vtkPolyData::SafeDownCast(points);
+  return this->RefineSurface && surface &&
+    surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
 }
 
 int vtkFlowLIC::RequestData(
@@ -127,6 +198,12 @@ int vtkFlowLIC::RequestData(
   interlume::Error error =
     interlume::FieldVectors::CheckVectors(selection, this->GetInputArrayInformation(0));
   error = error.Then([&] { return this->FindSteps(points, report); });
+  vtkSmartPointer<vtkPolyData> refined;
+  if (!error && this->CanRefine(points))
+  {
+    refined = Refine(points, 0.5 * report.NoiseScale);
+    points = refined;
+  }
   output->ShallowCopy(points);
   this->SetProgressText("Convolving noise along streamlines");
   vtkNew<vtkFloatArray> values;
@@ -260,7 +337,8 @@ void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
   interlume::NamedValue::Print(os, indent,
     { { "Kernel", this->Kernel == HANN ? "Hann" : "box" }, { "Length", this->Length },
       { "NoiseScale", this->NoiseScale }, { "StepLength", this->StepLength },
-      { "Seed", this->Seed }, { "Contrast", this->Contrast } });
+      { "RefineSurface", this->RefineSurface }, { "Seed", this->Seed },
+      { "Contrast", this->Contrast } });
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -23,7 +23,8 @@ struct FlowLICReport;
  * Computes for each point the weighted mean of a noise function along the streamline through it,
  * over Length in both directions (line integral convolution). If the points are those of an image,
  * the result is a LIC volume. If they are those of a surface, it is a LIC texture that does not
- * depend on surface parameters; the surface's triangles must be smaller than NoiseScale.
+ * depend on surface parameters; the surface's triangles must be smaller than NoiseScale, see
+ * RefineSurface.
  * Documentation/methods/flow-volumes.md has the equations.
  *
  * The noise consists of uniform random values on a regular grid in space with spacing NoiseScale,
@@ -92,7 +93,8 @@ public:
   ///@{
   /**
    * Spacing of the noise grid, in world units. 0 selects 1/128 of the diagonal of the bounds of
-   * port 0. Default: 0. Valid: 0 and above; clamped.
+   * port 0 or, if that is larger and RefineSurface is off or has no effect, twice the mean spacing
+   * of the points. Default: 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(NoiseScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NoiseScale, double);
@@ -105,6 +107,18 @@ public:
    */
   vtkSetClampMacro(StepLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(StepLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * If true, and the input of port 0 is a vtkPolyData with polygons or strips, these become
+   * triangles with edges of at most half of NoiseScale, and the output is the refined surface
+   * without vertices and lines. Point arrays are interpolated. Edges are longer if there would be
+   * more than about two million triangles. Default: off.
+   */
+  vtkSetMacro(RefineSurface, bool);
+  vtkGetMacro(RefineSurface, bool);
+  vtkBooleanMacro(RefineSurface, bool);
   ///@}
 
   ///@{
@@ -154,6 +168,8 @@ private:
   /// Determines the lengths and the number of steps, and stores them in the report. Returns an
   /// error if there are too many steps.
   interlume::Error FindSteps(vtkDataSet* points, interlume::FlowLICReport& report) const;
+  /// Returns true if RefineSurface is on and \a points is a surface.
+  bool CanRefine(vtkDataSet* points) const;
   template <typename Walker>
   void Convolve(
     const Walker& walker, vtkDataSet* points, float* values, interlume::FlowLICReport& report);
@@ -162,6 +178,7 @@ private:
   double Length = 0.0;
   double NoiseScale = 0.0;
   double StepLength = 0.0;
+  bool RefineSurface = false;
   int Seed = 0;
   double Contrast = 0.2;
   vtkNew<vtkInterlumeReport> Report;

@@ -39,6 +39,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkFlowVolume);
 
@@ -471,6 +472,39 @@ std::string vtkFlowVolume::DescribeMissing(vtkDataSet* input,
     all.pop_back();
   }
   return all;
+}
+
+const char* vtkFlowVolume::GetSummary()
+{
+  const auto count = [this](const char* name) { return this->Report->GetCount(name); };
+  const vtkIdType cells = count("Cells");
+  const vtkIdType cut = count("CellsCut");
+  const std::pair<vtkIdType, const char*> reasons[] = {
+    { count("CellsWithoutResult"), " have a corner that reached no surface" },
+    { count("CellsBetweenSurfaces"), " lie between surfaces" },
+    { count("CellsOnSeams"), " on seams" },
+    { count("CellsAcrossSurfaces"), " across their surface" },
+    { count("CellsWithTimeJumps"), " have jumps in time" }
+  };
+  vtkIdType special = 0;
+  std::ostringstream list;
+  for (const auto& reason : reasons)
+  {
+    special += reason.first;
+    if (reason.first > 0)
+    {
+      list << (list.str().empty() ? " (" : ", ") << reason.first << reason.second;
+    }
+  }
+  std::ostringstream text;
+  if (cells > 0)
+  {
+    text << "Of " << cells << " cells, " << special - cut << " were skipped and " << cut
+         << " cut at a surface or at the boundary of the flow" << list.str()
+         << (special > 0 ? ")." : ".");
+  }
+  this->Summary = text.str();
+  return this->Summary.c_str();
 }
 
 void vtkFlowVolume::FillMesh(const interlume::SurfaceLevels& byInflow,

@@ -196,6 +196,13 @@ public:
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
+  /**
+   * Return a sentence about the last execution: the number of cells that were skipped, with the
+   * reasons, and that were cut at a surface. Empty before the first execution. The text is valid
+   * until the next call.
+   */
+  const char* GetSummary();
+
 protected:
   vtkFlowVolume();
   ~vtkFlowVolume() override;
@@ -223,6 +230,7 @@ private:
   std::vector<double> StreamSurfaces;
   std::vector<double> TimeSurfaces;
   vtkNew<vtkInterlumeReport> Report;
+  std::string Summary;
   std::unique_ptr<interlume::VolumeExtraction> Extraction;
 };
 

@@ -8,6 +8,7 @@
 #include "Common/CellArrayConversion.h"
 #include "Common/Error.h"
 #include "Common/NamedValue.h"
+#include "Common/ReportValue.h"
 #include "Fields/FieldInput.h"
 #include "Fields/FieldVectors.h"
 #include "Numerics/SpeedScale.h"
@@ -41,8 +42,10 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
+#include <sstream>
 
 vtkStandardNewMacro(vtkImplicitFlowField);
 
@@ -64,6 +67,15 @@ bool IsEnd(int type, bool isBackward)
 /// Reason why a field is not distributed. Points at the boundary of a piece would lack cells.
 constexpr const char* CellArrayReason = "a cell array is averaged at the points";
 
+using StatusCounts = std::array<vtkIdType, vtkFlowStatus::NUMBER_OF_VALUES>;
+
+void Publish(
+  const interlume::FlowReport& report, const StatusCounts& initial, vtkInterlumeReport* values)
+{
+  report.CopyTo(values);
+  interlume::ReportValue::Add(values, { { "InitialStatuses", initial } });
+}
+
 /// Returns true for image data, and rectilinear or structured grids.
 bool IsStructured(vtkDataObject* data)
 {
@@ -74,7 +86,7 @@ bool IsStructured(vtkDataObject* data)
 
 vtkImplicitFlowField::vtkImplicitFlowField()
 {
-  interlume::FlowReport().CopyTo(this->Report);
+  Publish(interlume::FlowReport(), {}, this->Report);
   this->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
@@ -195,6 +207,37 @@ void vtkImplicitFlowField::SetCheckpointFileName(const char* name)
 const char* vtkImplicitFlowField::GetCheckpointFileName() const
 {
   return this->CheckpointFileName.empty() ? nullptr : this->CheckpointFileName.c_str();
+}
+
+const char* vtkImplicitFlowField::GetSummary()
+{
+  const auto count = [this](int status)
+  { return this->Report->GetCount("InitialStatuses", status); };
+  vtkIdType all = 0;
+  for (int status = 0; status < vtkFlowStatus::NUMBER_OF_VALUES; ++status)
+  {
+    all += count(status);
+  }
+  std::ostringstream text;
+  if (all > 0)
+  {
+    text.precision(3);
+    const auto percent = [all](vtkIdType number) { return 100.0 * number / all; };
+    const vtkIdType reached = count(vtkFlowStatus::REACHED_SURFACE);
+    const vtkIdType left = count(vtkFlowStatus::LEFT_DOMAIN);
+    const vtkIdType stagnated = count(vtkFlowStatus::STAGNATED);
+    const vtkIdType outside = count(vtkFlowStatus::OUTSIDE);
+    text << "Of " << all << " samples, " << percent(reached) << " % reached a surface, "
+         << percent(left) << " % left the field, " << percent(stagnated) << " % stagnated, "
+         << percent(all - reached - left - stagnated - outside) << " % ended otherwise";
+    text << (outside > 0 ? ", and " : ".");
+    if (outside > 0)
+    {
+      text << percent(outside) << " % are outside the field.";
+    }
+  }
+  this->Summary = text.str();
+  return this->Summary.c_str();
 }
 
 vtkMTimeType vtkImplicitFlowField::GetMTime()
@@ -420,6 +463,7 @@ struct vtkImplicitFlowField::Execution
   vtkSmartPointer<vtkDataSet> Samples;
   std::unique_ptr<interlume::FlowCheckpoint> Checkpoint;
   interlume::FlowReport Report;
+  StatusCounts InitialStatuses{};
 
   vtkInformation* GetOutputInformation() const { return this->Outputs->GetInformationObject(0); }
   /// Returns the error of the first process with an error.
@@ -440,7 +484,7 @@ int vtkImplicitFlowField::RequestData(
 {
   Execution execution(request, inputs, outputs, *this, { this, 3, this->MeanArrays });
   execution.Report.Executions = this->Executions;
-  execution.Report.CopyTo(this->Report);
+  Publish(execution.Report, execution.InitialStatuses, this->Report);
   this->UsedSurfaces.clear();
   // Image data would otherwise retain their active scalars between executions.
   execution.Output->Initialize();
@@ -556,6 +600,10 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
   }
   interlume::ImplicitFlowRun run(this, execution.Options, execution.Field, execution.Vectors);
   run.SetHasHidden(execution.Input.HasHidden());
+  if (this->RefinementLevels == CUT_BOUNDARY)
+  {
+    run.LocateBoundary();
+  }
   if (execution.Ranks)
   {
     run.SetDistributedField(execution.Ranks.get());
@@ -568,6 +616,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
     return Outcome::NEEDS_WHOLE_FIELD;
   }
   execution.Report = run.GetReport();
+  execution.InitialStatuses = run.GetInitialStatuses();
   this->Mesh = run.GetMesh();
   if (wasAborted || run.WasAborted() || this->GetAbortExecute())
   {
@@ -607,7 +656,7 @@ int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
   execution.Report.WholeFieldReason = execution.PartitionError.GetMessage();
   execution.Report.ConvertedCellArrays = execution.Conversion.GetNames();
   execution.Report.Executions = ++this->Executions;
-  execution.Report.CopyTo(this->Report);
+  Publish(execution.Report, execution.InitialStatuses, this->Report);
   execution.Output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
   if (execution.Report.Samples > 0 &&
     interlume::OutputPiece::IsEntireOutput(execution.GetOutputInformation()))

@@ -291,6 +291,10 @@ public:
   const char* GetMeanArrayName(int i) const;
   ///@}
 
+  enum Refinements
+  {
+    CUT_BOUNDARY = -1
+  };
   ///@{
   /**
    * Number of refinement levels for sample cells that cannot be interpolated: their corners differ
@@ -300,12 +304,16 @@ public:
    * unresolved layer and adds two to four times as many samples as the level before. Point arrays
    * of the samples are interpolated, cell arrays copied. Hidden cells, polyhedra, quadratic and
    * lower-dimensional cells remain unchanged. Above 0 the output is a vtkUnstructuredGrid. Default:
-   * 0. Valid: 0 to 6; clamped.
+   * 0. Valid: CUT_BOUNDARY (-1) to 6; clamped.
+   *
+   * CUT_BOUNDARY refines nothing. Instead, the boundary of the region whose streamlines reach a
+   * surface is located by bisection, as behind hidden cells, and vtkFlowVolume cuts cells there.
+   * The output type is the same as for 0.
    *
    * Pieces of the samples are refined separately. Their cells do not conform at piece boundaries
    * unless the samples have one layer of ghost cells per level.
    */
-  vtkSetClampMacro(RefinementLevels, int, 0, 6);
+  vtkSetClampMacro(RefinementLevels, int, CUT_BOUNDARY, 6);
   vtkGetMacro(RefinementLevels, int);
   ///@}
 
@@ -388,6 +396,7 @@ public:
    * Return the report of the last execution:
    * - Samples: samples that were advected,
    * - Statuses: number of samples per vtkFlowStatus value,
+   * - InitialStatuses: the same without samples that refinement added,
    * - SurfaceIds, SamplesBySurface: TerminationIds reached, and the number of samples of each,
    * - SamplingErrorU, SamplingErrorV, SamplingErrorTime: interpolation error between samples
    *   (SamplingChecks): mean, 99th percentile, largest,
@@ -397,6 +406,13 @@ public:
    * - ConvertedCellArrays: names of the cell arrays that were averaged at the points.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
+
+  /**
+   * Return a sentence about the last execution: the percentages of samples that reached a surface,
+   * left the field, stagnated, or ended otherwise. Empty before the first execution. The text is
+   * valid until the next call.
+   */
+  const char* GetSummary();
 
 protected:
   vtkImplicitFlowField();
@@ -488,6 +504,7 @@ private:
   std::string CheckpointFileName;
   double CheckpointInterval = 60.0;
   vtkNew<vtkInterlumeReport> Report;
+  std::string Summary;
   vtkIdType Executions = 0;
   /// Reason why the field could not be distributed, the input's modification time in that
   /// execution, and a flag that is true while the pipeline executes again for the whole field.

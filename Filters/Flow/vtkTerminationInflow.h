@@ -11,9 +11,11 @@
  * The rectangle lies near the place where the flow enters the field. Among all planes perpendicular
  * to a coordinate axis, the plane with the largest flow determines the axis and the direction of
  * the flow. The rectangle is in the first plane along this direction through which at least 40 % of
- * the largest flow passes. With Size 1, it covers all cells that intersect its plane and have flow
- * in this direction. For FORWARD streamlines, it lies near the place where the flow leaves the
- * field instead, so that streamlines end on it.
+ * the largest flow passes. If that plane is not close to the boundary of the field, as in a vortex
+ * or a field of gradients, the rectangle is in the plane with the largest flow. With Size 1, it
+ * covers all cells that intersect its plane and have flow in this direction. For FORWARD
+ * streamlines, it lies near the place where the flow leaves the field instead, so that streamlines
+ * end on it.
  *
  * The parameters u and v run along the next two axes in cyclic order: y and z for a normal along x.
  * The normal points along the positive axis, regardless of the flow direction.

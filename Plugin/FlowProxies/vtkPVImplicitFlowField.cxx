@@ -17,6 +17,9 @@
 #include "vtkTerminationMesh.h"
 #include "vtkTerminationSurfaceSource.h"
 #include "vtkTerminationTube.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkPVImplicitFlowField);
 
@@ -44,6 +47,35 @@ vtkSmartPointer<vtkPolyData> CreateTriangles(vtkTerminationSurface* surface, int
     }
   }
   return triangles;
+}
+
+// Hides the cells of which no corner has reached a surface, unless those are all cells.
+void HideCells(vtkDataSet* samples)
+{
+  vtkDataArray* statuses = samples->GetPointData()->GetArray(vtkFlowStatus::StatusArray());
+  vtkUnsignedCharArray* before = samples->GetCellGhostArray();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(samples->GetNumberOfCells());
+  vtkNew<vtkIdList> points;
+  bool isAnyHidden = false;
+  bool isAnyReached = false;
+  for (vtkIdType cell = 0; statuses && cell < samples->GetNumberOfCells(); ++cell)
+  {
+    samples->GetCellPoints(cell, points);
+    const bool isReached = std::any_of(points->begin(), points->end(),
+      [statuses](vtkIdType point)
+      { return statuses->GetComponent(point, 0) == vtkFlowStatus::REACHED_SURFACE; });
+    const int hidden = isReached ? 0 : vtkDataSetAttributes::HIDDENCELL;
+    ghosts->SetValue(
+      cell, static_cast<unsigned char>(hidden | (before ? before->GetValue(cell) : 0)));
+    isAnyHidden = isAnyHidden || !isReached;
+    isAnyReached = isAnyReached || isReached;
+  }
+  if (isAnyHidden && isAnyReached)
+  {
+    samples->GetCellData()->AddArray(ghosts);
+  }
 }
 }
 
@@ -125,6 +157,10 @@ int vtkPVImplicitFlowField::RequestData(
   {
     this->RemoveTerminationSurface(surface);
   }
+  if (this->HideUnreached)
+  {
+    HideCells(vtkDataSet::GetData(outputs));
+  }
   return result;
 }
 
@@ -181,4 +217,5 @@ void vtkPVImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TubeRadius: " << this->TubeRadius << "\n";
   os << indent << "MeshPeriodicU: " << this->MeshPeriodicU << "\n";
   os << indent << "MeshPeriodicV: " << this->MeshPeriodicV << "\n";
+  os << indent << "HideUnreached: " << this->HideUnreached << "\n";
 }

@@ -52,6 +52,16 @@ public:
   vtkBooleanMacro(MeshPeriodicV, bool);
   ///@}
 
+  ///@{
+  /**
+   * If true, cells of the output are hidden (HIDDENCELL) if the streamline of no corner reaches a
+   * surface. vtkFlowVolume skips these cells anyway. Default: on.
+   */
+  vtkSetMacro(HideUnreached, bool);
+  vtkGetMacro(HideUnreached, bool);
+  vtkBooleanMacro(HideUnreached, bool);
+  ///@}
+
 protected:
   vtkPVImplicitFlowField();
   ~vtkPVImplicitFlowField() override;
@@ -76,6 +86,7 @@ private:
   double TubeRadius = 0.5;
   bool MeshPeriodicU = false;
   bool MeshPeriodicV = false;
+  bool HideUnreached = true;
 };
 
 #endif

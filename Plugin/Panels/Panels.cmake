@@ -8,6 +8,12 @@ paraview_plugin_add_property_widget(
   INTERFACES panel_interfaces
   SOURCES    panel_sources)
 paraview_plugin_add_property_widget(
+  KIND       WIDGET
+  TYPE       interlume_report
+  CLASS_NAME pqReportPropertyWidget
+  INTERFACES report_interfaces
+  SOURCES    report_sources)
+paraview_plugin_add_property_widget(
   KIND       GROUP_WIDGET
   TYPE       interlume_area_light
   CLASS_NAME pqAreaLightPropertyWidget
@@ -39,11 +45,12 @@ paraview_plugin_add_auto_start(
   SOURCES    cells_sources)
 list(APPEND panel_interfaces
   ${area_light_interfaces} ${cells_interfaces} ${live_interfaces} ${progressive_interfaces}
-  ${search_interfaces})
+  ${report_interfaces} ${search_interfaces})
 list(APPEND panel_sources
   ${area_light_sources}
   ${live_sources}
   ${progressive_sources}
+  ${report_sources}
   ${search_sources}
   ${cells_sources}
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.cxx"
@@ -56,5 +63,7 @@ list(APPEND panel_sources
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLivePreviewDecorator.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.h"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqSourceCells.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqSourceCells.h")

@@ -16,6 +16,34 @@
 
 vtkStandardNewMacro(vtkInflowTextureRepresentation);
 
+namespace
+{
+/// Returns an image of colored squares, or bands across u, with transparent gaps of the same size.
+vtkSmartPointer<vtkImageData> CreatePattern(bool isCheckerboard)
+{
+  constexpr int fields = 8;
+  constexpr int texels = 32;
+  constexpr int size = fields * texels;
+  constexpr unsigned char colors[4][3] = { { 230, 85, 45 }, { 245, 190, 60 }, { 60, 160, 110 },
+    { 50, 105, 190 } };
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size, size, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int v = 0; v < size; ++v)
+  {
+    for (int u = 0; u < size; ++u, texel += 4)
+    {
+      const int column = u / texels;
+      const int row = isCheckerboard ? v / texels : 0;
+      std::copy_n(colors[(isCheckerboard ? row : column) / 2], 3, texel);
+      texel[3] = (column + row) % 2 == 0 ? 255 : 0;
+    }
+  }
+  return image;
+}
+}
+
 vtkInflowTextureRepresentation::vtkInflowTextureRepresentation()
 {
   this->SetMapper(vtkNew<vtkImplicitFlowVolumeMapper>());
@@ -33,6 +61,16 @@ void vtkInflowTextureRepresentation::SetMapper(vtkImplicitFlowVolumeMapper* mapp
 void vtkInflowTextureRepresentation::SetInflowTexture(vtkTexture* texture)
 {
   this->InflowTexture = texture;
+}
+
+void vtkInflowTextureRepresentation::SetInflowPattern(int pattern)
+{
+  const int clamped = std::clamp<int>(pattern, NO_PATTERN, BANDS);
+  if (clamped != this->InflowPattern)
+  {
+    this->InflowPattern = clamped;
+    this->PatternImage = clamped == NO_PATTERN ? nullptr : CreatePattern(clamped == CHECKERBOARD);
+  }
 }
 
 void vtkInflowTextureRepresentation::SetSurfaceTexture(vtkTexture* texture)
@@ -125,8 +163,8 @@ void vtkInflowTextureRepresentation::UpdateMapperParameters()
   this->Mapper->SelectScalarArray(0);
   // The superclass hides the actor if there is no color array.
   this->Actor->SetVisibility(this->GetVisibility());
-  this->Mapper->SetInflowTexture(
-    vtkImplicitFlowVolumeMapper::ALL, vtkTextureImage(this->InflowTexture));
+  this->Mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL,
+    this->InflowTexture ? vtkTextureImage(this->InflowTexture) : this->PatternImage.Get());
   this->Mapper->SetInflowTexture(this->SurfaceId, vtkTextureImage(this->SurfaceTexture));
   this->Mapper->SetDetailTexture(vtkTextureImage(this->DetailTexture));
   this->Mapper->SetOpacityArray(this->UseOpacityArray ? this->OpacityArray.c_str() : nullptr);
@@ -137,6 +175,7 @@ void vtkInflowTextureRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SurfaceId: " << this->SurfaceId << "\n";
+  os << indent << "InflowPattern: " << this->InflowPattern << "\n";
   os << indent << "UseOpacityArray: " << this->UseOpacityArray << "\n";
   os << indent << "OpacityArray: " << this->OpacityArray << "\n";
   os << indent << "OpacityRange: " << this->Opacity->GetRange()[0] << ", "

@@ -9,6 +9,7 @@
 
 #include <string> // for the array
 
+class vtkImageData;
 class vtkImplicitFlowVolumeMapper;
 class vtkPiecewiseFunction;
 class vtkTexture;
@@ -49,6 +50,18 @@ public:
   void SetSurfaceId(int id);
   void SetDetailTexture(vtkTexture* texture);
   ///@}
+
+  enum Patterns
+  {
+    NO_PATTERN = 0,
+    CHECKERBOARD = 1,
+    BANDS = 2
+  };
+  /**
+   * Set the pattern on all termination surfaces while there is no image for all surfaces. Every
+   * second square or band is transparent. Default: NO_PATTERN. Valid: see Patterns; clamped.
+   */
+  void SetInflowPattern(int pattern);
 
   ///@{
   /**
@@ -102,6 +115,8 @@ private:
   vtkSmartPointer<vtkTexture> SurfaceTexture;
   vtkSmartPointer<vtkTexture> DetailTexture;
   int SurfaceId = 0;
+  int InflowPattern = NO_PATTERN;
+  vtkSmartPointer<vtkImageData> PatternImage;
 };
 
 #endif

@@ -114,6 +114,12 @@ void vtkLitVolumeRepresentation::UpdateLights()
       vtkErrorMacro(<< error);
     }
   }
+  this->LightsUpdated();
+}
+
+bool vtkLitVolumeRepresentation::IsAreaLightOn() const
+{
+  return this->AreaLight->GetSwitch() != 0;
 }
 
 bool vtkLitVolumeRepresentation::AddToView(vtkView* view)

@@ -78,6 +78,10 @@ protected:
   bool RemoveFromView(vtkView* view) override;
   void UpdateMapperParameters() override;
 
+  bool IsAreaLightOn() const;
+  /// Called when a light may have been turned on or off. Default: do nothing.
+  virtual void LightsUpdated() {}
+
 private:
   vtkLitVolumeRepresentation(const vtkLitVolumeRepresentation&) = delete;
   void operator=(const vtkLitVolumeRepresentation&) = delete;

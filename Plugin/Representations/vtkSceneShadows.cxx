@@ -86,11 +86,12 @@ void vtkSceneShadows::UpdatePass()
     combined.DepthBias = std::max(combined.DepthBias, request.DepthBias);
     combined.HasShadows = combined.HasShadows || request.HasShadows;
     combined.LightAngle = std::max(combined.LightAngle, request.LightAngle);
+    combined.LightScale = std::min(combined.LightScale, request.LightScale);
   }
   this->RestoreLights();
-  if (combined.LightAngle > 0.0)
+  if (combined.LightAngle > 0.0 || combined.LightScale < 1.0)
   {
-    this->Lights.Begin(this->Renderer, combined.LightAngle);
+    this->Lights.Begin(this->Renderer, combined.LightAngle, combined.LightScale);
   }
   this->Pass->SetMaximumNumberOfShadowLights(lightLimit);
   this->Pass->SetDepthMapResolution(combined.DepthMapResolution);

@@ -26,7 +26,7 @@ class vtkShadowedSliceMapper;
  * with another pass, such as for ray tracing or for rendering array values, are not changed.
  * Without requests for shadows, ParaView's pass is restored.
  *
- * If any request has a light angle, vtkTemporaryAreaLights replaces the lights during each
+ * If any request has a light angle or scale, vtkTemporaryAreaLights replaces the lights during each
  * rendering.
  */
 class vtkSceneShadows : public vtkObject
@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Settings of the pass, and the angular diameter of the lights in degrees. The maximum of each
-  /// setting over all requests is used.
+  /// setting over all requests is used, unless stated otherwise.
   struct Request
   {
     bool HasShadows = false;
@@ -46,6 +46,8 @@ public:
     int DepthMapResolution = 0;
     double DepthBias = 0.0;
     double LightAngle = 0.0;
+    /// Factor for the intensities of the view's lights. The minimum over all requests is used.
+    double LightScale = 1.0;
   };
 
   /**

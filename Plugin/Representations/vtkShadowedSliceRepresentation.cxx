@@ -128,6 +128,12 @@ void vtkShadowedSliceRepresentation::SetViewLightAngle(double angle)
   this->UpdateSceneShadows();
 }
 
+void vtkShadowedSliceRepresentation::SetViewLightScale(double scale)
+{
+  this->ViewLightScale = std::clamp(scale, 0.0, 1.0);
+  this->UpdateSceneShadows();
+}
+
 void vtkShadowedSliceRepresentation::SetShadowGridResolution(int resolution)
 {
   this->ShadowGridResolution = std::clamp(resolution, 0, 256);
@@ -183,7 +189,8 @@ void vtkShadowedSliceRepresentation::UpdateSceneShadows()
   {
     this->SceneShadows->RemoveRequest(this);
   }
-  const bool isNeeded = this->HasSceneShadows || this->ViewLightAngle > 0.0;
+  const double scale = this->IsAreaLightOn() ? this->ViewLightScale : 1.0;
+  const bool isNeeded = this->HasSceneShadows || this->ViewLightAngle > 0.0 || scale < 1.0;
   if (!isNeeded || !this->GetVisibility() || !this->ViewRenderer)
   {
     this->SceneShadows = nullptr;
@@ -192,7 +199,7 @@ void vtkShadowedSliceRepresentation::UpdateSceneShadows()
   this->SceneShadows = vtkSceneShadows::GetOrCreate(this->ViewRenderer);
   this->SceneShadows->SetRequest(this,
     { this->HasSceneShadows, this->Mapper, this->SceneDepthMapResolution, this->SceneDepthBias,
-      this->ViewLightAngle });
+      this->ViewLightAngle, scale });
 }
 
 int vtkShadowedSliceRepresentation::RequestData(
@@ -342,6 +349,7 @@ void vtkShadowedSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
     this->SceneShadows->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "ViewLightAngle: " << this->ViewLightAngle << "\n";
+  os << indent << "ViewLightScale: " << this->ViewLightScale << "\n";
   os << indent << "ShadowGridResolution: " << this->ShadowGridResolution << "\n";
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());

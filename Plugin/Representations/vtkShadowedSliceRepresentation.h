@@ -123,6 +123,13 @@ public:
    */
   void SetViewLightAngle(double angle);
 
+  /**
+   * Set the factor for the intensities of the view's lights while the area light of the
+   * representation is on. Area lights and projective lights are not changed. The minimum over all
+   * representations of a view is used. Default: 1. Valid: 0 to 1; clamped.
+   */
+  void SetViewLightScale(double scale);
+
   ///@{
   /**
    * Set DepthMapResolution and DepthBias of the view's vtkShadowedScenePass, which documents their
@@ -169,6 +176,7 @@ private:
   void UpdateScalars();
   /// Sets or removes this representation's request in the vtkSceneShadows of the renderer.
   void UpdateSceneShadows();
+  void LightsUpdated() override { this->UpdateSceneShadows(); }
   /// Exchanges the extinction of the pieces if several processes render.
   void GatherPieces(bool isReduced);
 
@@ -185,6 +193,7 @@ private:
   int SceneDepthMapResolution = 1024;
   double SceneDepthBias = 1.0;
   double ViewLightAngle = 0.0;
+  double ViewLightScale = 1.0;
   int ShadowGridResolution = 64;
 };
 

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-void vtkTemporaryAreaLights::Begin(vtkRenderer* renderer, double angle)
+void vtkTemporaryAreaLights::Begin(vtkRenderer* renderer, double angle, double scale)
 {
   renderer->UpdateLightsGeometryToFollowCamera();
   this->Lights = vtkLightList::Get(renderer);
@@ -42,6 +42,7 @@ void vtkTemporaryAreaLights::Begin(vtkRenderer* renderer, double angle)
     const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(position, focalPoint));
     const double size = 2.0 * distance * std::tan(vtkMath::RadiansFromDegrees(0.5 * angle));
     copy.Light->SetSize(size, size);
+    copy.Light->SetIntensity(scale * light->GetIntensity());
     copies[light] = copy;
     newLights.emplace_back(copy.Light);
   }

@@ -15,8 +15,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from plugin_images import add_array, coordinates, image, load_texture, producer, snapshot
-from plugin_testing import run
+from plugin_images import (
+    add_array, coordinates, fraction_shown, image, load_texture, look_at, plain_view, producer, snapshot)
+from plugin_testing import open_file, run
 from shadow_scene import add_sun, brightness, dark_view, make_plate, show_surface
 
 WHITE = 255.0
@@ -186,6 +187,34 @@ def check_view_lights(checks, view, display):
     display.AreaLight = True
 
 
+def check_defaults(checks):
+    """Tests that the area light, switched on with default settings, is the main light of a scan and does not
+    overexpose it, and that the view has its own lights between frames."""
+    view = plain_view()
+    display = simple.Show(open_file("tooth.vti"), view)
+    display.SetRepresentationType("Shadowed Slices")
+    look_at(view)
+    before = snapshot(view)
+    display.AreaLight = True
+    lit = snapshot(view)
+    display.AreaLightViewLights = 1.0
+    added = snapshot(view)
+
+    def overexposed(shot):
+        return (shot.max(axis=1) >= 255).mean() / fraction_shown(shot)
+
+    print(f"overexposed: {overexposed(before):.4f}, {overexposed(lit):.4f}, without dimming {overexposed(added):.4f}")
+    checks.that(overexposed(lit) < 0.001, f"overexposed fraction: {overexposed(lit)}")
+    checks.that(lit.mean() > 0.7 * before.mean(), f"brightness: {lit.mean()}, before {before.mean()}")
+    checks.that(added.mean() > 1.1 * lit.mean(), "the other lights are dimmed")
+    lights = view.GetClientSideObject().GetRenderer().GetLights()
+    kinds = [lights.GetItemAsObject(i).GetClassName() for i in range(lights.GetNumberOfItems())]
+    checks.equal(kinds.count("vtkAreaLight"), 1, f"area lights between frames, {kinds}")
+    display.AreaLight = False
+    checks.equal(numpy.abs(snapshot(view) - before).max(), 0, "difference after switching the light off")
+    simple.Delete(view)
+
+
 class Handles:
     """The handles of an area light in a view, dragged without a mouse."""
 
@@ -264,6 +293,7 @@ def check_handles(checks, view):
 
 
 def main(checks):
+    check_defaults(checks)
     view, slab, display = make_scene()
     check_width(checks, view, display)
     check_settings(checks, view, display)

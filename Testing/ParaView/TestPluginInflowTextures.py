@@ -8,6 +8,7 @@ Argument: the directory for images.
 
 import sys
 
+import numpy
 from paraview import simple
 
 from flow_testing import analytic_flow, flow_field
@@ -36,6 +37,7 @@ def draw(picture, path):
     display = simple.Show(field, view)
     display.SetRepresentationType(REPRESENTATION)
     display.InflowOpacityUnitDistance = picture["unit"]
+    display.InflowPattern = "None"
     display.InflowSurfaceId = SURFACE_ID
     for key, name in TEXTURES.items():
         if picture[key]:
@@ -71,6 +73,7 @@ def check_defaults(checks, picture):
     look_at(view)
     fraction = fraction_shown(snapshot(view))
     checks.that(fraction > 0.1, f"the field is visible with default settings: {fraction}")
+    check_pattern(checks, view, display)
     for name in display.ListProperties():
         if name.startswith("Inflow"):
             text = display.GetProperty(name).SMProperty.GetDocumentation()
@@ -80,6 +83,23 @@ def check_defaults(checks, picture):
     checks.equal(fraction_shown(snapshot(view)), 0.0, "visible fraction of a hidden field")
     simple.Delete(view)
     simple.Delete(field)
+
+
+def check_pattern(checks, view, display):
+    """Tests that the first image shows a pattern of colors, which the property turns off, and that the panel
+    tells how to load an image."""
+    checks.equal(display.InflowPattern, "Checkerboard", "default pattern")
+
+    def saturation():
+        shot = snapshot(view)
+        return numpy.mean(numpy.ptp(shot, axis=1) > 40)
+
+    checks.that(saturation() > 0.05, f"colored fraction: {saturation()}")
+    display.InflowPattern = "None"
+    checks.equal(saturation(), 0.0, "colored fraction without a pattern")
+    display.InflowPattern = "Checkerboard"
+    text = display.GetProperty("InflowHelp").GetData()
+    checks.that("Load" in text and "Inflow Texture" in text, f"help: {text}")
 
 
 def check_file(checks):

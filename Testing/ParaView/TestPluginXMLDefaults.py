@@ -46,7 +46,11 @@ LISTED = {
     "vtkPVImplicitFlowField": {
         "TubeRadius": lambda field: interlume.vtkTerminationTube().GetRadius(),
         "MeshPeriodicU": lambda field: interlume.vtkTerminationMesh().GetPeriodicU(),
-        "MeshPeriodicV": lambda field: interlume.vtkTerminationMesh().GetPeriodicV(), "CheckpointFileName": ""},
+        "MeshPeriodicV": lambda field: interlume.vtkTerminationMesh().GetPeriodicV(), "CheckpointFileName": "",
+        # First images in ParaView have no gaps that cuts can close.
+        "RefinementLevels": lambda field: field.CUT_BOUNDARY, "HideUnreached": 1},
+    # Slices become fine enough for streaks.
+    "vtkFlowLIC": {"RefineSurface": 1},
     "vtkPVInflowMapping": {
         "Formula": lambda mapping: mapping.GetFormula(mapping.ALL), "ImageId": lambda mapping: mapping.ALL,
         "FormulasById": [], "Rings": lambda mapping: [] if mapping.GetNumberOfRings(mapping.ALL) == 0 else None},
@@ -74,7 +78,7 @@ LISTED = {
         "MaximumNumberOfShadows": 1, "ShadowedTwoSidedLighting": 1, "ScatteringBrightness": 0.35},
     "vtkShadowedSliceRepresentation": {
         "Ambient": 0, "Diffuse": 1, "Specular": 0, "SpecularPower": 100, "ShadowedShade": 1, "ColoredShadows": 0,
-        "SceneShadows": 0, "ShadowGridResolution": 64, "ViewLightAngle": 0,
+        "SceneShadows": 0, "ShadowGridResolution": 64, "ViewLightAngle": 0, "AreaLightViewLights": 0.3,
         "SceneDepthMapResolution": lambda _: interlume.vtkShadowedScenePass().GetDepthMapResolution(),
         "SceneDepthBias": lambda _: interlume.vtkShadowedScenePass().GetDepthBias(),
         "ShadowedUseSeparateOpacityArray": 0, "ShadowedOpacityComponent": 0,
@@ -86,6 +90,7 @@ LISTED = {
         "ScatteringAlbedo": lambda _: interlume.vtkShadowedSliceMapper().GetScatteringAlbedo()},
     "vtkInflowTextureRepresentation": {
         "Ambient": 0, "Diffuse": 1, "Specular": 0, "SpecularPower": 100, "InflowSurfaceId": 0, "InflowShade": 0,
+        "InflowPattern": 1,
         "InflowCroppingOrigin": [0, 0, 0], "InflowCroppingScale": [1, 1, 1],
         "InflowTexture": lambda _: interlume.vtkImplicitFlowVolumeMapper().GetNumberOfInflowTextures() or None,
         "InflowSurfaceTexture": lambda _: interlume.vtkImplicitFlowVolumeMapper().GetInflowTexture(0),

@@ -32,6 +32,7 @@ def analytic_flow(extraction):
 
 def flow_field(flow, extraction):
     field = simple.ImplicitFlowField(Input=flow)
+    field.RefinementLevels, field.HideUnreached = 0, 0  # as in C++
     surfaces = [termination_surface(description) for description in extraction["surfaces"]]
     field.TerminationSurface = surfaces if surfaces else "None"
     further = [surface_mesh(description) for description in extraction["meshes"]]

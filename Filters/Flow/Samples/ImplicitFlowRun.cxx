@@ -42,6 +42,8 @@ namespace
 {
 constexpr double AutomaticError = 1e-6;
 constexpr double AutomaticSpeed = 1e-9;
+/// Number of bisection steps that locate the boundary of the reached region without obstacles.
+constexpr int PreviewBisections = 3;
 
 int GetAutomaticSteps(vtkIdType cells)
 {
@@ -206,6 +208,7 @@ void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, i
     FieldDispatch::BuildingPart };
   SampleIntegration integration(context, samples);
   bool isActive = integration.Run(samples, 0, 0);
+  this->InitialStatuses = this->Report.Statuses;
   const bool isRefined = this->Options.RefinementLevels > 0;
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   if (isActive && isRefined)
@@ -224,7 +227,12 @@ void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, i
       isActive = integration.Run(grid, before, level);
     }
   }
-  isActive = isActive && FarSideStage::Run(context, samples, this->HasObstacles) &&
+  if (!this->HasObstacles)
+  {
+    context.Bisections = PreviewBisections;
+  }
+  isActive = isActive &&
+    FarSideStage::Run(context, samples, this->HasObstacles || this->LocatesBoundary) &&
     (isRefined || SamplingCheck::Run(context, samples));
   this->Refined = isActive ? grid : nullptr;
   this->Aborted = !isActive;

@@ -6,8 +6,10 @@
 #include "Common/Error.h"
 #include "Streams/FlowReport.h"
 
+#include "vtkFlowStatus.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -44,6 +46,13 @@ public:
   /// boundary of the reached region get far-side values.
   void SetHasHidden(bool hasHidden) { this->HasObstacles = hasHidden; }
 
+  /// Refines no cells, but locates the boundary of the reached region even without hidden cells.
+  void LocateBoundary()
+  {
+    this->Options.RefinementLevels = 0;
+    this->LocatesBoundary = true;
+  }
+
   /// Sets the checkpoint for finished streamlines; null for none.
   void SetCheckpoint(FlowCheckpoint* checkpoint) { this->Checkpoint = checkpoint; }
 
@@ -58,6 +67,11 @@ public:
   vtkUnstructuredGrid* GetRefinedSamples() const { return this->Refined; }
 
   const FlowReport& GetReport() const { return this->Report; }
+  /// Returns the number of samples for each vtkFlowStatus, without samples that refinement added.
+  const std::array<vtkIdType, vtkFlowStatus::NUMBER_OF_VALUES>& GetInitialStatuses() const
+  {
+    return this->InitialStatuses;
+  }
 
   /// Returns true if the execution was aborted in this or any other process.
   bool WasAborted() const { return this->Aborted; }
@@ -103,6 +117,8 @@ private:
   bool Aborted = false;
   /// True if streamlines end inside the field, at hidden cells or at vectors that are not finite.
   bool HasObstacles = false;
+  bool LocatesBoundary = false;
+  std::array<vtkIdType, vtkFlowStatus::NUMBER_OF_VALUES> InitialStatuses{};
   std::shared_ptr<const MeshLinks> Mesh;
 };
 

@@ -16,8 +16,6 @@ namespace interlume
 
 namespace
 {
-// Number of bisection steps on the line between the samples of a pair.
-constexpr int Bisections = 6;
 // Number of relaxation passes over all pairs. The distances need not converge exactly.
 constexpr int Passes = 32;
 
@@ -104,7 +102,7 @@ double ReachedBoundary::GetPosition(
 bool ReachedBoundary::Bisect(const SampleResults& sampleResults)
 {
   bool isActive = true;
-  for (int i = 0; i < Bisections && isActive; ++i)
+  for (int i = 0; i < this->Context.Bisections && isActive; ++i)
   {
     isActive = this->Context.Field.Follow(
       this->Context.Options, static_cast<vtkIdType>(this->Lines.size()),

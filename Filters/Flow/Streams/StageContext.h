@@ -27,6 +27,8 @@ struct StageContext
   double FieldLength;
   /// Progress of the execution at the end of the last completed stage.
   double Progress;
+  /// Number of bisection steps that locate the boundary of the reached region between two samples.
+  int Bisections = 6;
 };
 
 }

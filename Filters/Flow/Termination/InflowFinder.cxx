@@ -27,6 +27,8 @@ constexpr int NumberOfSlabs = 32;
 constexpr vtkIdType MaximumNumberOfCells = 262144;
 /// The inflow is in the first slab with at least this fraction of the largest flow through a slab.
 constexpr double MinimumFraction = 0.4;
+/// An inflow in one of these first slabs is at the boundary of the field.
+constexpr int BoundarySlabs = 4;
 /// Axes whose flows differ by less than this fraction are tied; the first axis is used.
 constexpr double TieTolerance = 1e-6;
 
@@ -160,6 +162,7 @@ public:
   }
 
   /// Returns the center of the first slab, in flow direction, with at least MinimumFraction of the
+  /// largest flow, if the slab is at the boundary; otherwise, the center of the slab with the
   /// largest flow.
   double FindEntry(int sense) const
   {
@@ -168,6 +171,12 @@ public:
     while (this->Flows[sense][slab] < minimum)
     {
       slab += sense == 0 ? 1 : -1;
+    }
+    const int first = sense == 0 ? slab : NumberOfSlabs - 1 - slab;
+    if (first >= BoundarySlabs)
+    {
+      const auto& flows = this->Flows[sense];
+      slab = static_cast<int>(std::max_element(flows.begin(), flows.end()) - flows.begin());
     }
     return this->Low + (slab + 0.5) / NumberOfSlabs * (this->High - this->Low);
   }

@@ -15,7 +15,8 @@ namespace interlume
  * The flow of a cell along an axis is its mean velocity along the axis times its volume, divided by
  * its extent along the axis. Flows along and against each axis are summed over slabs. The axis and
  * direction with the largest flow through a slab are chosen. The plane is at the center of the
- * first slab, in flow direction, with at least MinimumFraction of that flow. Blanked and non-finite
+ * first slab, in flow direction, with at least MinimumFraction of that flow or, if that slab is not
+ * at the boundary of the field, of the slab with the largest flow. Blanked and non-finite
  * cells are ignored. In a large field, only an evenly distributed subset of the cells is used.
  */
 class InflowFinder

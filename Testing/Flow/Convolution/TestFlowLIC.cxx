@@ -18,10 +18,12 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -492,10 +494,14 @@ void TestDefaults(Check& check)
 {
   check.SetContext("defaults: ");
   vtkNew<vtkFlowLIC> filter;
-  filter->SetInputData(MakeImage(5, Uniform));
+  filter->SetFieldData(MakeImage(5, Uniform));
+  filter->SetInputData(MakePoints(MakePositions(125, 2.0)));
   filter->Update();
   vtkInterlumeReport* report = filter->GetReport();
-  const double scale = 4.0 * std::sqrt(3.0) / 128.0;
+  double box[6];
+  filter->GetOutput()->GetBounds(box);
+  const double scale =
+    GetNorm(std::array<double, 3>{ { box[1] - box[0], box[3] - box[2], box[5] - box[4] } }) / 128.0;
   check.Near(report->GetNumber("NoiseScale"), scale, 1e-12, "scale");
   check.Near(report->GetNumber("Length"), 10.0 * scale, 1e-12, "length");
   check.Equal(report->GetCount("Steps"), 40, "steps");
@@ -517,6 +523,54 @@ void TestDefaults(Check& check)
     changed += std::abs(before[id] - GetValue(filter, id)) > 1e-3 ? 1 : 0;
   }
   check.That(changed > 110, "another seed changes the values");
+  check.SetContext("cells larger than the noise: ");
+  vtkNew<vtkFlowLIC> coarse;
+  coarse->SetInputData(MakeImage(5, Uniform));
+  coarse->Update();
+  check.Near(coarse->GetReport()->GetNumber("NoiseScale"), 2.0, 1e-12, "scale");
+}
+
+/// Tests the length of edges, the area and the attributes of a refined surface, and that without
+/// surfaces nothing is refined.
+void TestRefinement(Check& check)
+{
+  check.SetContext("refined surface: ");
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-2.0, -1.5, 0.5);
+  plane->SetPoint1(2.0, -1.5, 0.5);
+  plane->SetPoint2(-2.0, 1.5, 0.5);
+  plane->SetXResolution(2);
+  vtkNew<vtkFlowLIC> filter;
+  filter->SetInputConnection(plane->GetOutputPort());
+  filter->SetFieldData(MakeImage(5, Uniform));
+  filter->RefineSurfaceOn();
+  check.That(UpdateAndGetErrors(filter).empty(), "no messages");
+  auto* surface = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  const double scale = filter->GetReport()->GetNumber("NoiseScale");
+  check.Near(scale, 5.0 / 128.0, 1e-12, "scale");
+  double area = 0.0;
+  double longest = 0.0;
+  for (vtkIdType id = 0; id < surface->GetNumberOfCells(); ++id)
+  {
+    vtkCell* triangle = surface->GetCell(id);
+    area += vtkTriangle::SafeDownCast(triangle)->ComputeArea();
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      longest = std::max(longest, std::sqrt(triangle->GetEdge(edge)->GetLength2()));
+    }
+  }
+  check.Near(area, 12.0, 1e-4, "area");
+  check.That(longest <= 0.5 * scale * (1.0 + 1e-6), "edges");
+  for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); id += 100)
+  {
+    double x[3];
+    surface->GetPoint(id, x);
+    const double u = surface->GetPointData()->GetTCoords()->GetComponent(id, 0);
+    check.Near(u, 0.25 * (x[0] + 2.0), 1e-5, "interpolated texture coordinate", 1.0);
+  }
+  filter->SetInputData(MakePoints(MakePositions(20, 2.0)));
+  check.That(UpdateAndGetErrors(filter).empty(), "no messages without polygons");
+  check.Equal(filter->GetOutput()->GetNumberOfPoints(), 20, "points");
 }
 
 void TestThreads(Check& check)
@@ -623,6 +677,7 @@ int TestFlowLIC(int, char*[])
   TestSink(check);
   TestDatasets(check);
   TestDefaults(check);
+  TestRefinement(check);
   TestThreads(check);
   TestErrors(check);
   TestProgress(check);
