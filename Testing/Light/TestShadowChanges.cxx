@@ -152,7 +152,6 @@ public:
     mapper->SetSliceSpacing(this->Mapper->GetSliceSpacing());
     VolumeStage stage(scene.Size);
     SetScene(stage, mapper, scene);
-    stage.GetRenderer()->SetViewport(this->Viewport.data());
     return ReadWindow(stage.GetWindow());
   }
 
@@ -184,7 +183,6 @@ private:
   ShadowScene Scene;
   vtkNew<vtkShadowedSliceMapper> Mapper;
   VolumeStage Stage;
-  std::array<double, 4> Viewport{ { 0.0, 0.0, 1.0, 1.0 } };
   int CoarseFrames = 0;
   std::vector<std::pair<std::string, std::function<void()>>> Kinds = {
     { "light buffer size",
@@ -279,12 +277,6 @@ private:
       } },
     { "color of a light",
       [this] { this->PickLight()->SetColor(1.0, this->Numbers.Get(0.5, 1.0), 0.7); } },
-    { "viewport",
-      [this]
-      {
-        this->Viewport[2] = this->Numbers.Get(0.7, 1.0);
-        this->Stage.GetRenderer()->SetViewport(this->Viewport.data());
-      } },
     { "selection",
       [this]
       {
