@@ -60,7 +60,10 @@ double EstimateSpacing(vtkDataSet* points)
     points->GetCell(id, cell);
     if (cell->GetCellDimension() > 0)
     {
-      sum += std::sqrt(cell->GetLength2() / cell->GetCellDimension());
+      double box[6];
+      cell->GetBounds(box);
+      sum += interlume::Vectors::SafeLength({ box[1] - box[0], box[3] - box[2], box[5] - box[4] }) /
+        std::sqrt(cell->GetCellDimension());
       ++counted;
     }
   }

@@ -536,8 +536,7 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
       { "GenerateTimeSurfaces", this->GenerateTimeSurfaces },
       { "GenerateNormals", this->GenerateNormals },
       { "ParametersAsTextureCoordinates", this->ParametersAsTextureCoordinates },
-      { "OutputPointsPrecision", this->OutputPointsPrecision },
-      { "SizeWarningLimit", this->SizeWarningLimit } });
+      { "OutputPointsPrecision", this->OutputPointsPrecision } });
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -71,7 +71,7 @@ struct FlowVolumeReport;
  *
  * Warnings (vtkWarningMacro, not if one of several pieces is requested): an interval or the time
  * range outside the range of the input; an empty volume, with the reasons; GenerateStreamSurfaces
- * without any value or interval. Always: a large output (see SizeWarningLimit).
+ * without any value or interval.
  *
  * Errors (vtkErrorMacro, empty outputs): missing arrays, or wrong numbers of components; lower >
  * upper, start > end or non-finite bounds; more than 10000 intervals between surfaces; invalid
@@ -170,15 +170,6 @@ public:
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
-   * Number of tetrahedra above which the first extraction warns before it allocates them, as in
-   * vtkIntervalVolume. 0 turns the warning off. Default: 5 million.
-   */
-  vtkSetClampMacro(SizeWarningLimit, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(SizeWarningLimit, vtkIdType);
   ///@}
 
   /**

@@ -211,6 +211,11 @@ int vtkFlowVolumeFromVectors::RequestData(
 
 void vtkFlowVolumeFromVectors::Forward(vtkObject* caller, unsigned long event, void* data)
 {
+  if (this->GetAbortExecute() && event != vtkCommand::ProgressEvent)
+  {
+    // The filters after the aborted one have no valid input.
+    return;
+  }
   if (event == vtkCommand::ErrorEvent)
   {
     vtkErrorMacro(<< GetText(static_cast<const char*>(data)));

@@ -22,7 +22,6 @@ struct vtkFlowVolumeSettings
   bool GenerateNormals = false;
   bool ParametersAsTextureCoordinates = false;
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
-  vtkIdType SizeWarningLimit = 5000000;
 };
 
 #endif

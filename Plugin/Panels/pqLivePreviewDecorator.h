@@ -21,8 +21,7 @@ class pqProxy;
  * During the drag, the values are sent to the filter, its property PreviewCellLimit is set to
  * *cells*, and the render views that show it render interactively. One update runs at a time, with
  * the last values. When the user releases the slider, the values are applied as by the button
- * Apply: one undo step, one line of Python trace, and a render without preview. Reset then keeps
- * them. Undo restores the values before the drag.
+ * Apply: one line of Python trace, and a render without preview. Reset then keeps them.
  *
  * If the filter has changes that are not applied, or was never applied, the sliders do not update
  * it.

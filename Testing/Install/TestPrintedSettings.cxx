@@ -10,6 +10,7 @@
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"
+#include "vtkFlowVolumeFromVectors.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
 #include "vtkInterlumeReport.h"
@@ -83,6 +84,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkFlowCriticalPoints>(),
     Make<vtkFlowLIC>(),
     Make<vtkFlowVolume>(),
+    Make<vtkFlowVolumeFromVectors>(),
     Make<vtkImplicitFlowField>(),
     Make<vtkInflowMapping>(),
     Make<vtkIntervalVolume>(),

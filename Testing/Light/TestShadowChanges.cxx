@@ -38,7 +38,7 @@ namespace
 using namespace reference;
 
 constexpr int Changes = 300;
-constexpr int ProgressiveChanges = 120;
+constexpr int ProgressiveChanges = 40;
 constexpr std::size_t MaximumLights = 3;
 
 /// Returns true if some pixel is brighter than the background.

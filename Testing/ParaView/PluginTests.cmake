@@ -177,7 +177,7 @@ foreach (session IN ITEMS Open Scans Images Intervals Time Contours Flow Meshing
 endforeach ()
 plugin_test(TestPluginClient "paraview;image" "${Python3_EXECUTABLE}"
   "${script}/TestPluginClient.py" "${CMAKE_CURRENT_BINARY_DIR}/client")
-set_tests_properties(TestPluginClient TestPluginPanel PROPERTIES TIMEOUT 600)
+set_tests_properties(TestPluginClient TestPluginFlowDefaults TestPluginPanel PROPERTIES TIMEOUT 600)
 add_custom_target(guide-pictures
   COMMAND "${CMAKE_COMMAND}" -E env ${plugin_environment} "${Python3_EXECUTABLE}"
           "${script}/newcomer_guide.py" "${PROJECT_SOURCE_DIR}/Documentation/pictures/guide"

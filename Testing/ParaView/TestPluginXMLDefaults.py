@@ -50,7 +50,6 @@ LISTED = {
         # First images in ParaView have no gaps that cuts can close.
         "RefinementLevels": lambda field: field.CUT_BOUNDARY, "HideUnreached": 1},
     # Slices become fine enough for streaks.
-    "vtkFlowLIC": {"RefineSurface": 1},
     "vtkPVInflowMapping": {
         "Formula": lambda mapping: mapping.GetFormula(mapping.ALL), "ImageId": lambda mapping: mapping.ALL,
         "FormulasById": [], "Rings": lambda mapping: [] if mapping.GetNumberOfRings(mapping.ALL) == 0 else None},

@@ -268,6 +268,7 @@ def started(use):
     for widget in QApplication.instance().topLevelWidgets():
         if isinstance(widget, QMessageBox):
             widget.close()
+    simple.LoadPlugin(os.environ["INTERLUME_PLUGIN"], remote=False, ns=vars(simple))  # Adds its sources to simple.
     simple.GetActiveViewOrCreate("RenderView")
     if os.environ["INTERLUME_DETAIL"] == "off":
         servermanager.vtkSMSettings.GetInstance().AddCollectionFromString(json.dumps(OFF), 1e6)

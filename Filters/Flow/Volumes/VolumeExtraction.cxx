@@ -19,7 +19,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <limits>
-#include <string>
 
 namespace interlume
 {
@@ -47,15 +46,6 @@ struct Progress
     {
       vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
     }
-  }
-
-  // Issues a warning of the inner filter, without its class, as a warning of the owner.
-  static void Warn(vtkObject*, unsigned long, void* client, void* data)
-  {
-    const std::string text = static_cast<const char*>(data);
-    const std::size_t end = text.find("): ");
-    vtkWarningWithObjectMacro(static_cast<const Progress*>(client)->Owner,
-      << text.substr(end == std::string::npos ? 0 : end + 3));
   }
 };
 
@@ -103,6 +93,7 @@ VolumeExtraction::VolumeExtraction()
   for (vtkIntervalVolume* filter : { this->ByInflow.Filter.Get(), this->ByTime.Filter.Get() })
   {
     filter->WarnOnEmptyOutputOff();
+    filter->SetSizeWarningLimit(0);
   }
 }
 
@@ -168,21 +159,14 @@ bool VolumeExtraction::Run(const Request& request, Result& result, vtkDataSet* i
   vtkIntervalVolume* filter = result.Filter;
   filter->SetInputDataObject(input);
   filter->SetOutputPointsPrecision(request.OutputPointsPrecision);
-  // The second extraction only divides and removes tetrahedra of the first.
-  filter->SetSizeWarningLimit(isFirst ? request.SizeWarningLimit : 0);
   levels.SetItems(filter);
   Progress progress{ request.Owner, start, end - start };
   vtkNew<vtkCallbackCommand> command;
   command->SetCallback(Progress::Forward);
   command->SetClientData(&progress);
-  vtkNew<vtkCallbackCommand> warning;
-  warning->SetCallback(Progress::Warn);
-  warning->SetClientData(&progress);
-  filter->AddObserver(vtkCommand::ProgressEvent, command);
-  filter->AddObserver(vtkCommand::WarningEvent, warning);
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
   filter->Update();
-  filter->RemoveObserver(command);
-  filter->RemoveObserver(warning);
+  filter->RemoveObserver(tag);
   if (filter->GetAbortExecute() || request.Owner->GetAbortExecute())
   {
     filter->SetAbortExecute(0);

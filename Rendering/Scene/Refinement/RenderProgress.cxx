@@ -14,7 +14,6 @@ RenderProgress::RenderProgress(vtkRenderWindow* window, vtkAlgorithm* mapper)
   , Mapper(mapper)
   , EventTime(vtkTimerLog::GetUniversalTime())
 {
-  mapper->SetProgressText("Rendering");
 }
 
 bool RenderProgress::IsAborted(double fraction)
@@ -24,8 +23,6 @@ bool RenderProgress::IsAborted(double fraction)
   {
     this->EventTime = now;
     this->Mapper->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
-    this->Mapper->UpdateProgress(fraction);
-    this->Window->MakeCurrent();
   }
   return this->Window->CheckAbortStatus() != 0;
 }

@@ -15,7 +15,7 @@ namespace interlume
  * @brief   reports the progress of an image and checks if the window aborts it
  *
  * Mappers call IsAborted() between parts of an image: slabs, tiles or rows. An image that takes
- * less than EVENT_SECONDS has no progress events. ParaView shows ProgressEvent in its status bar.
+ * less than EVENT_SECONDS has no progress events.
  */
 class INTERLUMESCENE_EXPORT RenderProgress
 {
@@ -27,8 +27,8 @@ public:
 
   /**
    * Returns true if the image must not be completed. At most every EVENT_SECONDS, the mapper first
-   * invokes vtkCommand::VolumeMapperRenderProgressEvent and ProgressEvent with \a fraction, a
-   * double from 0 to 1. Observers may draw in other OpenGL contexts. vtkRenderWindow limits its
+   * invokes vtkCommand::VolumeMapperRenderProgressEvent with \a fraction, a double from 0
+   * to 1. vtkRenderWindow limits its
    * AbortCheckEvent to five per second.
    */
   bool IsAborted(double fraction);

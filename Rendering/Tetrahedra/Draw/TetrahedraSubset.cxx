@@ -369,7 +369,7 @@ void TetrahedraSubset::Enlarge(const TetrahedraFrame& frame, const Member& membe
   std::uint32_t tetrahedron, TetrahedraMesh& mesh, TetrahedraFields& fields) const
 {
   const std::uint32_t* corners = frame.Mesh->GetCorners(member.Tetrahedron);
-  const double weight = member.Weight;
+  const double weight = frame.Mesh->CellStride * member.Weight;
   const bool hasTriangle = this->SurfaceOpacity > 0.0f && fields.Faces[tetrahedron] != 0;
   const double factor = hasTriangle ? std::sqrt(weight) : std::cbrt(weight);
   glm::dvec3 center(0.0);

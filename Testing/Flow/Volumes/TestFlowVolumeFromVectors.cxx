@@ -64,8 +64,9 @@ void TestBands(Check& check)
     check.Equal(filter->GetReport()->GetCount("Executions"), 1, "streamlines are traced once");
     for (int band = 0; band < bands; ++band)
     {
+      // Three bisections locate each end of the width of 2.5 to an eighth of the spacing, 0.5.
       const double exact = 3.9 * 2.5 * 0.5 * 2.5 / bands;
-      check.Near(MeasureVolume(volume, "IntervalId", band), exact, 0.03, "volume of a band");
+      check.Near(MeasureVolume(volume, "IntervalId", band), exact, 0.05, "volume of a band");
     }
     check.That(volume->GetPointData()->GetScalars() == volume->GetPointData()->GetArray("Inflow"),
       "active scalars");

@@ -5,7 +5,6 @@
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
-#include "Support/Checks/ReferenceSizeWarning.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/Meshes/ReferenceGrid.h"
 
@@ -162,25 +161,6 @@ void CheckErrors(Check& check)
   }
 }
 
-void CheckSizeWarning(Check& check)
-{
-  check.SetContext("size warning");
-  vtkNew<vtkFlowVolume> volume;
-  volume->SetInputData(MakeInput());
-  volume->SetInterval(0, 0.3, 0.6);
-  volume->Update();
-  const vtkIdType number = volume->GetOutput()->GetNumberOfCells();
-  volume->SetTimeRange(0.1, 0.6);
-  volume->SetSizeWarningLimit(number);
-  check.That(WarningsOf(volume).empty(), "no warning at the limit");
-  volume->SetSizeWarningLimit(number - 1);
-  const std::vector<ReportedSize> sizes = FindSizes(WarningsOf(volume));
-  if (check.Equal(static_cast<long long>(sizes.size()), 1, "warnings above the limit"))
-  {
-    check.Equal(static_cast<long long>(sizes[0].Tetrahedra), number, "tetrahedra of the warning");
-  }
-}
-
 void CheckArrays(Check& check)
 {
   check.SetContext("arrays");
@@ -295,5 +275,5 @@ void CheckRuns(Check& check)
 
 int TestFlowVolumeInput(int, char*[])
 {
-  return RunChecks({ CheckErrors, CheckSizeWarning, CheckArrays, CheckRuns });
+  return RunChecks({ CheckErrors, CheckArrays, CheckRuns });
 }
