@@ -102,7 +102,7 @@ USES = {
         (clicked(INTERVALS + "Several") + values("Intervals", [*RANGE, 60.0, 70.0]) + WATCH
          + dragged("Intervals", [6, 7, 8, 9]), "newcomer_record.watched('Intervals')", [True, False, True, 1]),
         ([APPLIED], "GetActiveSource().Intervals[2:]", [60.0, 70.0]),
-        (wavelet(10) + chosen("IsotableContour") + values("Isosurfaces", RANGE[:1]) + [APPLY] + WATCH
+        (wavelet(10) + chosen("IsotableContour") + values("Isosurfaces", [38.0]) + [APPLY] + WATCH
          + dragged("ContourValues", [8, 12, 16]), "newcomer_record.watched('Isosurfaces')", [True, False, True, 1])],
     "drag before Apply": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + WATCH + dragged("Intervals", [8, 14])
