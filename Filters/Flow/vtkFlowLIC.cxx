@@ -128,18 +128,10 @@ int vtkFlowLIC::FillInputPortInformation(int port, vtkInformation* info)
 int vtkFlowLIC::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
   // Requests the whole field, because streamlines may visit all of it.
   const int port = inputs[1]->GetNumberOfInformationObjects() > 0 ? 1 : 0;
-  vtkInformation* field = inputs[port]->GetInformationObject(0);
-  if (field->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-  field->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  field->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  interlume::OutputPiece::RequestEntireInput(inputs[port]->GetInformationObject(0));
   return 1;
 }
 

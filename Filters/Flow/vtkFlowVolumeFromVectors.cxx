@@ -3,6 +3,7 @@
 
 #include "Common/AbortCheck.h"
 #include "Common/NamedValue.h"
+#include "Samples/OutputPiece.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -152,16 +153,8 @@ int vtkFlowVolumeFromVectors::FillInputPortInformation(int, vtkInformation* info
 int vtkFlowVolumeFromVectors::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* field = inputs[0]->GetInformationObject(0);
   // Requests the whole field, because streamlines may visit all of it.
-  if (field->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-  field->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  field->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  interlume::OutputPiece::RequestEntireInput(inputs[0]->GetInformationObject(0));
   return 1;
 }
 

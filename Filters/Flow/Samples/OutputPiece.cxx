@@ -76,4 +76,16 @@ bool OutputPiece::IsEntireOutput(vtkInformation* info)
   return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1;
 }
 
+void OutputPiece::RequestEntireInput(vtkInformation* info)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
 }

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   OutputPiece
- * @brief   reduces a complete grid to the requested piece
+ * @brief   reduces a complete grid to the requested piece, and requests complete inputs
  */
 namespace OutputPiece
 {
@@ -21,6 +21,9 @@ void Extract(vtkInformation* info, vtkUnstructuredGrid* grid);
 
 /// Returns true if \a info requests the complete output, not one piece of several.
 bool IsEntireOutput(vtkInformation* info);
+
+/// Requests a complete input. \a info is the information of the input.
+void RequestEntireInput(vtkInformation* info);
 }
 
 }

@@ -27,9 +27,8 @@ public:
 
   /**
    * Returns true if the image must not be completed. At most every EVENT_SECONDS, the mapper first
-   * invokes vtkCommand::VolumeMapperRenderProgressEvent with \a fraction, a double from 0
-   * to 1. vtkRenderWindow limits its
-   * AbortCheckEvent to five per second.
+   * invokes vtkCommand::VolumeMapperRenderProgressEvent with \a fraction, a double from 0 to 1.
+   * vtkRenderWindow limits its AbortCheckEvent to five per second.
    */
   bool IsAborted(double fraction);
 
