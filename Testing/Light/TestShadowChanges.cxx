@@ -37,7 +37,7 @@ namespace
 
 using namespace reference;
 
-constexpr int Changes = 300;
+constexpr int Changes = 200;
 constexpr int ProgressiveChanges = 40;
 constexpr std::size_t MaximumLights = 3;
 

@@ -114,11 +114,7 @@ Error FlowTextures::Upload(bool isVolume, Texture& texture, const Source& source
   object->SetWrapR(wrap);
   // Without this reset, the texture keeps the format of its previous contents.
   object->ResetFormatAndType();
-  // Clear earlier errors. The loop is limited, because glGetError never returns GL_NO_ERROR without
-  // a context.
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
-  }
+  ClearOpenGLErrors();
   const auto columns = static_cast<unsigned int>(source.Size[0]);
   const auto rows = static_cast<unsigned int>(source.Size[1]);
   void* values = const_cast<void*>(source.Values);

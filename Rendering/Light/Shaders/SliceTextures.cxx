@@ -29,14 +29,6 @@ void SetSampling(vtkTextureObject* texture, bool isSmooth)
   texture->SetWrapR(vtkTextureObject::ClampToEdge);
 }
 
-void ClearErrors()
-{
-  // The loop is bounded because glGetError always returns an error without a context.
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
-  }
-}
-
 int GetType(VolumeSamples::Formats format)
 {
   switch (format)
@@ -227,7 +219,7 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& 
         ". Resample the volume.",
       ErrorCode::OpenGL);
   }
-  ClearErrors();
+  ClearOpenGLErrors();
   bool isCreated = CreateVolume(window, this->Volume, samples, samples.Components,
     GetType(samples.Format), samples.Texels.data());
   if (samples.Mask.empty())
@@ -257,7 +249,7 @@ Error SliceTextures::UploadDifferences(vtkOpenGLRenderWindow* window, const Volu
   {
     return {};
   }
-  ClearErrors();
+  ClearOpenGLErrors();
   const std::vector<float> differences = samples->FindDifferences();
   const bool isFloat = samples->Format == VolumeSamples::FLOAT32;
   return CreateVolume(window, this->Differences, *samples, 3, VTK_FLOAT, differences.data(),
@@ -271,7 +263,7 @@ Error SliceTextures::UploadDifferences(vtkOpenGLRenderWindow* window, const Volu
 
 Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material)
 {
-  ClearErrors();
+  ClearOpenGLErrors();
   constexpr int columns = MaterialTable::Columns;
   const bool hasEdges = material.HasEdges();
   const int pair = hasEdges ? 4 : 2;
@@ -304,7 +296,7 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& 
 
 Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering)
 {
-  ClearErrors();
+  ClearOpenGLErrors();
   UploadTable(window, this->Phases, SliceScattering::PhaseColumns, scattering.Phases, 1);
   if (scattering.Texels.empty())
   {

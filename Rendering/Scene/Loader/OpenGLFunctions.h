@@ -29,6 +29,15 @@ inline bool HasOpenGL32()
 #endif
 }
 
+/// Removes the errors of earlier commands, so that glGetError() returns those of the next commands.
+inline void ClearOpenGLErrors()
+{
+  // Limited, because glGetError() always returns an error without a context.
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
 }
 
 #endif

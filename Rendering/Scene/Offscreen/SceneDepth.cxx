@@ -111,6 +111,8 @@ bool ReadDepth(vtkRenderer* renderer, const Reader& read)
   GLint readBefore = 0;
   GLint target = 0;
   GLint samples = 0;
+  // VTK's selections can leave errors.
+  ClearOpenGLErrors();
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore);
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   glGetIntegerv(GL_SAMPLES, &samples);
