@@ -181,6 +181,7 @@ int vtkFlowVolumeFromVectors::RequestData(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* info = outputs->GetInformationObject(0);
+  this->HasError = false;
   this->SetInnerInput(vtkDataObject::GetData(inputs[0], 0));
   this->Volume->UpdatePiece(info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
     info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
@@ -204,13 +205,14 @@ int vtkFlowVolumeFromVectors::RequestData(
 
 void vtkFlowVolumeFromVectors::Forward(vtkObject* caller, unsigned long event, void* data)
 {
-  if (this->GetAbortExecute() && event != vtkCommand::ProgressEvent)
+  if ((this->GetAbortExecute() || this->HasError) && event != vtkCommand::ProgressEvent)
   {
-    // The filters after the aborted one have no valid input.
+    // The filters after one that was aborted or failed have no valid input.
     return;
   }
   if (event == vtkCommand::ErrorEvent)
   {
+    this->HasError = true;
     vtkErrorMacro(<< GetText(static_cast<const char*>(data)));
   }
   else if (event == vtkCommand::WarningEvent)

@@ -130,6 +130,8 @@ private:
   vtkSmartPointer<vtkDataObject> Input;
   vtkMTimeType InputTime = 0;
   vtkMTimeType ArrayTime = 0;
+  /// True after an error message of the current execution.
+  bool HasError = false;
   vtkNew<vtkInterlumeReport> Report;
   std::string Summary;
 };

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests inflow mappings, flow volumes and parameters of stream surfaces with extreme settings and
-// scales, and with empty results.
+// Tests inflow mappings, flow volumes, bands and parameters of stream surfaces with extreme
+// settings and scales, and with empty results.
 #include "StabilityChecks.h"
 
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceContourSurfaces.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"
+#include "vtkFlowVolumeFromVectors.h"
 #include "vtkImageData.h"
 #include "vtkInflowMapping.h"
 #include "vtkMath.h"
@@ -239,6 +241,53 @@ void TestVolumeSettings(StabilityCatalogue& catalogue)
   ReportEmpty(catalogue, invalid.Volume, "inflow-nan", "Inflow that is NaN", "None of");
 }
 
+/// Returns the volume of the bands of a uniform flow along x through a cube, relative to half of
+/// the cube, or NaN if there are messages.
+double MeasureBands(double size, const Vector& velocity, int bands)
+{
+  const auto image = MakeFlowImage({ { 9, 9, 9 } }, { { 0.0, size, 0.0, size, 0.0, size } });
+  AddVectors(image, [&velocity](const Vector&) { return velocity; });
+  vtkNew<vtkFlowVolumeFromVectors> filter;
+  filter->SetInputData(image);
+  filter->SetNumberOfBands(bands);
+  const Messages messages = UpdateFilter(filter);
+  return messages.Errors.empty() && messages.Warnings.empty()
+    ? MeasureVolume(filter->GetOutput()) / (0.5 * size) / size / size
+    : NaN;
+}
+
+void TestBands(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkFlowVolumeFromVectors");
+  // Cuts where the flow ends are located to an eighth of a cell.
+  constexpr double accuracy = 0.03;
+  for (const double size : { 1e-30, 1e-6, 1.0, 1e6, 1e30 })
+  {
+    for (const double speed : { 1e-200, 1.0, 1e200 })
+    {
+      catalogue.Measure("size-" + FormatShort(size) + "-speed-" + FormatShort(speed),
+        "a cube of " + FormatShort(size) + " and speed " + FormatShort(speed),
+        "relative error of the volume of five bands",
+        MeasureBands(size, { { speed, 0.0, 0.0 } }, 5) - 1.0, accuracy);
+    }
+  }
+  catalogue.Measure("bands-1000", "1,000 bands, narrower than a cell",
+    "relative error of their volume", MeasureBands(1.0, { { 1.0, 0.0, 0.0 } }, 1000) - 1.0,
+    accuracy);
+  const auto image = MakeFlowImage({ { 5, 5, 5 } }, { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } });
+  vtkNew<vtkFlowVolumeFromVectors> filter;
+  filter->SetInputData(image);
+  const auto set = [&image](double speed) {
+    AddVectors(image, [speed](const Vector&) { return Vector{ { speed, 0.0, 0.0 } }; });
+  };
+  for (const double value : { 0.0, NaN, Infinity })
+  {
+    set(value);
+    ReportRejection(catalogue, filter, "vectors-" + FormatShort(value),
+      "vectors of " + FormatShort(value), "the field has no flow", [&set] { set(1.0); });
+  }
+}
+
 /// Returns the length of the contour of a value, or NaN if there is not exactly one contour.
 double MeasureContour(double size, double value, int resolution, const char* formula,
   std::string& words, double* largestS = nullptr, double scale = 1.0)
@@ -335,5 +384,5 @@ void TestParameters(StabilityCatalogue& catalogue)
 int TestStabilityInflow(int argc, char* argv[])
 {
   return RunCases(__func__, "", argc, argv,
-    { TestMapping, TestVolumeScales, TestVolumeSettings, TestParameters });
+    { TestMapping, TestVolumeScales, TestVolumeSettings, TestBands, TestParameters });
 }

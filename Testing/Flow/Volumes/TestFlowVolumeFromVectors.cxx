@@ -162,6 +162,10 @@ void TestMessages(Check& check)
   filter->SetInputData(empty);
   check.Contains(UpdateAndGetErrors(filter), "vectors");
   check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "empty after an error");
+  filter->SetInputData(MakeFlowImage(9, [](const Vector&) { return Vector{}; }));
+  const std::string errors = UpdateAndGetErrors(filter);
+  check.Contains(errors, "no flow");
+  check.That(errors.find("FlowStatus") == std::string::npos, "no messages of the filters after it");
   filter->SetInputData(MakeFlowImage(9, Uniform));
   filter->SetTerminationSurface(MakeFlowPlane(-3.0));
   check.Contains(WarningsOf(filter), "reached a termination surface");
