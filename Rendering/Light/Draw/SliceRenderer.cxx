@@ -355,41 +355,47 @@ Error SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, SliceSc
     volumes[0]->ReuseReport();
     return {};
   }
+  error = error.Then([&] { return this->DrawPass(renderer, volumes, seconds, scene); });
   if (isSelection)
   {
     // The selection overwrites the image.
     this->Refinement.DropImage();
   }
-  const double start = vtkTimerLog::GetUniversalTime();
-  Volumes drawn;
-  if (this->IsRefined)
-  {
-    drawn = this->UpdateSample(window, *volumes[0], seconds);
-  }
-  const bool isSample = !drawn.empty();
-  this->VoxelStride = isSample ? this->Sample.GetStride() : 1;
-  if (!error && !isSample)
-  {
-    drawn = this->UpdateVolumes(window, volumes);
-  }
-  if (!drawn.empty())
-  {
-    error = this->DrawUpdated(renderer, drawn,
-      this->IsRefined ? this->Times.Choose(seconds) : this->ChooseCoarseness(drawn), scene, start);
-  }
-  if (isSample)
-  {
-    volumes[0]->CopyReport(*drawn[0]);
-  }
-  if (error || drawn.empty() || (!this->IsRefined && !isSelection))
-  {
-    this->Refinement.Clear();
-  }
-  if (this->SampleVolume && !this->IsRefined && !isSelection)
+  else if (!this->IsRefined && this->SampleVolume)
   {
     this->SampleVolume->ReleaseGraphicsResources(window);
     this->SampleVolume.reset();
     this->Sample = ImageSample();
+  }
+  if (error || (!this->IsRefined && !isSelection))
+  {
+    this->Refinement.Clear();
+  }
+  return error;
+}
+
+Error SliceRenderer::DrawPass(
+  vtkRenderer* renderer, const Volumes& volumes, double seconds, SliceScene* scene)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  Volumes drawn = this->IsRefined ? this->UpdateSample(window, *volumes[0], seconds) : Volumes();
+  const bool isSample = !drawn.empty();
+  this->VoxelStride = isSample ? this->Sample.GetStride() : 1;
+  if (!isSample)
+  {
+    drawn = this->UpdateVolumes(window, volumes);
+  }
+  if (drawn.empty())
+  {
+    this->Refinement.Clear();
+    return {};
+  }
+  Error error = this->DrawUpdated(renderer, drawn,
+    this->IsRefined ? this->Times.Choose(seconds) : this->ChooseCoarseness(drawn), scene, start);
+  if (isSample)
+  {
+    volumes[0]->CopyReport(*drawn[0]);
   }
   return error;
 }
@@ -430,22 +436,7 @@ Error SliceRenderer::DrawUpdated(
             .Then([&] { return this->DrawSlices(renderer, volumes, report); });
   if (!error && this->Find(renderer)->IsComplete())
   {
-    if (this->Settings.AutoAdjustSampleDistances || this->IsRefined)
-    {
-      glFinish();
-    }
-    const double now = vtkTimerLog::GetUniversalTime();
-    if (this->IsRefined)
-    {
-      const bool isFinal = coarseness == 1.0 && this->VoxelStride == 1;
-      if (isFinal || coarseness > 1.0)
-      {
-        this->Times.Add(coarseness, now - updated);
-      }
-      this->Refinement.End(isFinal);
-    }
-    this->LastCoarseness = coarseness;
-    this->LastSeconds = this->Settings.AutoAdjustSampleDistances ? now - start : this->LastSeconds;
+    this->AddTimes(coarseness, start, updated);
   }
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   for (VolumeResources* volume : volumes)
@@ -457,6 +448,26 @@ Error SliceRenderer::DrawUpdated(
   // The scene is valid only during this call.
   this->Image.Scene = nullptr;
   return error;
+}
+
+void SliceRenderer::AddTimes(double coarseness, double start, double updated)
+{
+  if (this->Settings.AutoAdjustSampleDistances || this->IsRefined)
+  {
+    glFinish();
+  }
+  const double now = vtkTimerLog::GetUniversalTime();
+  if (this->IsRefined)
+  {
+    const bool isFinal = coarseness == 1.0 && this->VoxelStride == 1;
+    if (isFinal || coarseness > 1.0)
+    {
+      this->Times.Add(coarseness, now - updated);
+    }
+    this->Refinement.End(isFinal);
+  }
+  this->LastCoarseness = coarseness;
+  this->LastSeconds = this->Settings.AutoAdjustSampleDistances ? now - start : this->LastSeconds;
 }
 
 SliceRasterizer* SliceRenderer::Find(vtkRenderer* renderer) const

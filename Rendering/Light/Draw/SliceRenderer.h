@@ -79,9 +79,14 @@ private:
   /// error.
   Volumes UpdateSample(
     vtkOpenGLRenderWindow* window, const VolumeResources& volume, double seconds);
+  /// Updates and draws the volumes or, in the first pass of a progressive image, a sample.
+  Error DrawPass(vtkRenderer* renderer, const Volumes& volumes, double seconds, SliceScene* scene);
   /// Draws volumes whose data are updated. \a start is the time at which the image began.
   Error DrawUpdated(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
     SliceScene* scene, double start);
+  /// Stores the time of a complete image. \a start and \a updated are the times at which the image
+  /// began and its data were updated.
+  void AddTimes(double coarseness, double start, double updated);
   /// Updates the camera, lights and image size.
   void UpdateView(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
     SliceScene* scene, SliceReport& report);
