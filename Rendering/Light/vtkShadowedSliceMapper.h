@@ -181,9 +181,9 @@ public:
 
   ///@{
   /**
-   * Turn on or off the use of coarser slices and pixels if the renderer allocates less time than
-   * the last frame took, as during interaction. Only automatic values change; SliceSpacing is kept
-   * if it is set. Default on.
+   * Turn on or off the use of coarser slices and pixels, by at most a factor of 8, if the renderer
+   * allocates less time than the last frame took, as during interaction. Only automatic values
+   * change; SliceSpacing is kept if it is set. Default on.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
