@@ -16,7 +16,7 @@ HIDDEN_VISIBILITIES = {"never", "multiblock_inspector"}
 # Properties that do not affect the image of the volume, only affect speed, or belong to other data.
 NOT_VISIBLE = {
     "AmbientColor", "AutoAdjustSampleDistances", "ColorArrayName", "CroppingOrigin", "CroppingScale", "DataAxesGrid",
-    "Input", "IntervalAutoAdjustLevelOfDetail", "LookupTable", "MapScalars", "Pickable", "PolarAxes", "Representation",
+    "InflowHelp", "Input", "IntervalAutoAdjustLevelOfDetail", "LookupTable", "MapScalars", "Pickable", "PolarAxes", "Representation",
     "Selection"}
 # A new value for each property, and settings that must be made first for it to have an effect.
 LIGHT = {"ProjectiveLight": 1}
@@ -42,8 +42,9 @@ BY_TIME = {"InflowUseOpacityArray": 1, "InflowOpacityArray": ["POINTS", "Advecti
 SHADED = {"InflowShade": 1, "InflowShadingArray": ["POINTS", "AdvectionTime"]}
 CASES = {
     "Inflow Textures": (None, {
-        **TRANSFORM, "InflowTexture": (picture, {}), "InflowSurfaceTexture": (None, {}), "InflowSurfaceId": (None, {}),
-        "InflowDefaultColor": ([1.0, 0.0, 0.0], {}), "InflowDefaultOpacity": (0.5, {}),
+        **TRANSFORM, "InflowPattern": ("Bands", {}), "InflowTexture": (picture, {}), "InflowSurfaceTexture": (None, {}), "InflowSurfaceId": (None, {}),
+        "InflowDefaultColor": ([1.0, 0.0, 0.0], {"InflowPattern": "None"}),
+        "InflowDefaultOpacity": (0.5, {"InflowPattern": "None"}),
         "InflowOpacityUnitDistance": (0.2, {}), "InflowDetailTexture": (picture, {}), "InflowDetailMode": ("Over", DETAIL),
         "InflowDetailScale": ([5.0, 3.0, 1.0], DETAIL), "InflowPulseLength": (0.5, {"InflowTimePeriod": 2.0}),
         "InflowTimeGateTarget": ("Detail", {**DETAIL, **PULSES}), "InflowTimePeriod": (0.7, PULSES),
@@ -87,7 +88,7 @@ CASES = {
         "AreaLightIntensity": (3.0, LAMP), "AreaLightPosition": ([-9.0, 20.0, 3.0], LAMP),
         "AreaLightPositional": ("Lamp", LAMP), "AreaLightShadows": (0, LAMP),
         "AreaLightShape": ("Square", {**LAMP, "AreaLightWidth": 9.0}),
-        "AreaLightViewUp": ([1.0, 1.0, 0.0], {**LAMP, "AreaLightWidth": 9.0}), "AreaLightWidth": (9.0, LAMP),
+        "AreaLightViewLights": (1.0, LAMP), "AreaLightViewUp": ([1.0, 1.0, 0.0], {**LAMP, "AreaLightWidth": 9.0}), "AreaLightWidth": (9.0, LAMP),
         "NumberOfLightSamples": (9, LAMP), "SoftShadowMethod": ("Accumulated Convolution", LAMP),
         "MultipleScattering": ("Single", {}), "ScatteringPhaseFunction": ("Henyey Greenstein", PHASE),
         "ScatteringAnisotropy": (0.3, {**PHASE, "ScatteringPhaseFunction": "Henyey Greenstein"}),
