@@ -99,8 +99,9 @@ class Pages:
         block = self.expanded("readme.in.md")
         page = self.expanded("page.in.md")
         guide = {path: self.filled(path) for path in sorted((root / "Documentation" / "guide").glob("*.md"))}
-        if len(page.split()) > MAXIMUM_WORDS:
-            raise ValueError(f"page.in.md expands to {len(page.split())} words; the limit is {MAXIMUM_WORDS}")
+        words = sum(any(character.isalnum() for character in word) for word in page.split())
+        if words > MAXIMUM_WORDS:
+            raise ValueError(f"page.in.md expands to {words} words; the limit is {MAXIMUM_WORDS}")
         return {**guide, root / "Documentation" / "measurements.md": page,
                 readme: README_BLOCK.sub(lambda found: found.group(1) + block + found.group(2), old)}
 
@@ -138,7 +139,7 @@ class Pages:
         """Returns a table with the rows of the oldest VTK that has such rows."""
         table = TABLES[name]
         texts = filter(None, (table_text(run, table) for run in self.results.of(table["suite"])))
-        return next(texts, f"`interlume-bench {table['suite']}` has not been run for this yet.")
+        return next(texts, f"The suite `{table['suite']}` has not been measured yet.")
 
     def targets_of(self, suite):
         """Returns the targets of a suite by their text, each from the oldest VTK with cases of it."""
