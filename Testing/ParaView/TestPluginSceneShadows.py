@@ -164,6 +164,7 @@ def check_state(checks, displays, folder):
     values = {"SceneDepthMapResolution": 512, "SceneDepthBias": 2.0, "AreaLightShape": "Square",
               "AreaLightPositional": "Lamp", "AreaLightPosition": [1.0, 2.0, 9.0], "AreaLightWidth": 0.5,
               "AreaLightHeight": 0.75, "AreaLightViewUp": [1.0, 0.0, 0.0], "AreaLightIntensity": 0.0,
+              "AreaLightViewLights": 1.0,
               "SoftShadowMethod": "Sampled Lights", "NumberOfLightSamples": 9}
     for name, value in values.items():
         setattr(slab, name, value)
