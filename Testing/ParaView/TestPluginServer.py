@@ -25,10 +25,11 @@ AUTOMATIC = ("AutoAdjustSampleDistances", "IntervalAutoAdjustLevelOfDetail")
 VOLUMES = ("Interval Volume", "Shadowed Slices", "Inflow Textures")
 SMALLEST_FRACTION = 0.05  # fraction of pixels that differ from the background
 LARGEST_DIFFERENCE = 1  # in steps of 1/255
-# Largest and mean difference if four processes render pieces. Images rounded to 1/255 are composited (3 and
-# 0.1 were measured), rays restart in each piece, and shadows between pieces use a coarser grid.
-DIFFERENCE_OF_PIECES = {"intervals": (4, 0.4), "shadowed_slices": (60, 0.8), "inflow_textures": (10, 0.4),
-                        "flow_volume": (2, 0.1)}
+# Largest and mean difference if four processes render pieces, and the number of pixels that may differ by more. Images
+# rounded to 1/255 are composited (3 and 0.1 were measured), rays restart in each piece, and shadows between pieces use
+# a coarser grid. Each piece locates the boundary of the flow from its own samples, which moves silhouettes by a pixel.
+DIFFERENCE_OF_PIECES = {"intervals": (4, 0.4, 0), "shadowed_slices": (60, 0.8, 0), "inflow_textures": (10, 0.4, 30),
+                        "flow_volume": (2, 0.1, 60)}
 
 
 def intervals():
@@ -118,9 +119,10 @@ def compare(checks, mode, path, program):
             difference = numpy.abs(drawn - picture)
             largest, mean = difference.max(), difference.mean()
             print(f"{name}, drawn by the {renderer}: difference {largest}, mean {mean:.4f}", flush=True)
-            bounds = DIFFERENCE_OF_PIECES[name] if mode == "ranks" else (LARGEST_DIFFERENCE, LARGEST_DIFFERENCE)
-            checks.that(largest <= bounds[0] and mean <= bounds[1],
-                        f"{name}, drawn by the {renderer}: {largest}, {mean}")
+            bounds = DIFFERENCE_OF_PIECES[name] if mode == "ranks" else (LARGEST_DIFFERENCE, LARGEST_DIFFERENCE, 0)
+            outside = (difference.max(axis=1) > bounds[0]).sum()
+            checks.that(outside <= bounds[2] and mean <= bounds[1],
+                        f"{name}, drawn by the {renderer}: {largest}, {mean}, {outside} pixels differ by more")
             by_server = renderer == "server" or representation in VOLUMES
             checks.equal(bool(remote), by_server, f"{name}, rendered by the server instead of the {renderer}")
     checks.that(not any("ERR|" in line for line in server.lines), f"no errors: {server.lines}")
