@@ -280,7 +280,11 @@ public:
    * returns true. A change of the scene restarts with the first image. If nothing has changed, the
    * last image is shown again. Default off: each rendering draws the final image.
    */
-  vtkSetMacro(ProgressiveRendering, bool);
+  void SetProgressiveRendering(bool isProgressive)
+  {
+    // The final image is the same, so the mapper is not modified.
+    this->ProgressiveRendering = isProgressive;
+  }
   vtkGetMacro(ProgressiveRendering, bool);
   vtkBooleanMacro(ProgressiveRendering, bool);
   ///@}

@@ -200,7 +200,11 @@ public:
    * full, and frames of a vtkShadowedScenePass are not refined. Default off: each rendering draws
    * the final image.
    */
-  vtkSetMacro(ProgressiveRendering, bool);
+  void SetProgressiveRendering(bool isProgressive)
+  {
+    // The final image is the same, so the mapper is not modified.
+    this->ProgressiveRendering = isProgressive;
+  }
   vtkGetMacro(ProgressiveRendering, bool);
   vtkBooleanMacro(ProgressiveRendering, bool);
   ///@}

@@ -319,7 +319,11 @@ public:
    * of the scene restarts with the first image. Images of several processes (see GatherPieces) are
    * not refined. Default off: each rendering draws the final image.
    */
-  vtkSetMacro(ProgressiveRendering, bool);
+  void SetProgressiveRendering(bool isProgressive)
+  {
+    // The final image is the same, so the mapper is not modified.
+    this->ProgressiveRendering = isProgressive;
+  }
   vtkGetMacro(ProgressiveRendering, bool);
   vtkBooleanMacro(ProgressiveRendering, bool);
   ///@}
