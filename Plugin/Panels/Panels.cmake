@@ -31,14 +31,26 @@ paraview_plugin_add_auto_start(
   SHUTDOWN   shutdown
   INTERFACES search_interfaces
   SOURCES    search_sources)
+paraview_plugin_add_auto_start(
+  CLASS_NAME pqProgressiveViews
+  STARTUP    startup
+  SHUTDOWN   shutdown
+  INTERFACES progressive_interfaces
+  SOURCES    progressive_sources)
+if (TARGET Qt5::Gui)
+  find_package(Qt5X11Extras QUIET)
+endif ()
 list(APPEND panel_interfaces
-  ${area_light_interfaces} ${live_interfaces} ${report_interfaces}
-  ${search_interfaces})
+  ${area_light_interfaces} ${live_interfaces} ${progressive_interfaces}
+  ${report_interfaces} ${search_interfaces})
 list(APPEND panel_sources
   ${area_light_sources}
   ${live_sources}
+  ${progressive_sources}
   ${report_sources}
   ${search_sources}
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/PendingInput.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/PendingInput.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHyphenInSearch.cxx"
@@ -47,5 +59,7 @@ list(APPEND panel_sources
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLivePreviewDecorator.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLivePreviewDecorator.h"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.h")

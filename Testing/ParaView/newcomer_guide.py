@@ -24,7 +24,7 @@ def seen_from(position, up):
 
 
 def shot(path):
-    """Saves an image of the full window, which the test player has already rendered."""
+    """Saves an image of the full window, which the test player has already rendered completely."""
     return python(f"import os; os.system({'import -window root -strip PNG24:' + path!r})")
 
 
@@ -42,7 +42,7 @@ def pictures():
 
 
 def gestures(folder, names):
-    yield python("import newcomer_record")
+    yield python("import newcomer_record; newcomer_record.set_progressive(0)")
     for name, steps in pictures().items():
         if names and name not in names:
             continue

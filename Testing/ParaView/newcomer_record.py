@@ -2,12 +2,17 @@
 """Records the view in the client's Python shell, and clears the pipeline."""
 
 import contextlib
+import ctypes
+import hashlib
 import json
 import os
 import sys
+import tempfile
+import time
 import traceback
 
 from paraview import simple, smtrace
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
 SIZE = [480, 360]
 
@@ -70,18 +75,24 @@ def handles():
 
 
 FRAMES = []
+IMAGES = []
 OBSERVERS = []
+
+
+def observe(*observers):
+    """Replaces all observers by the given ones, each with its object, event and function. They are called first."""
+    while OBSERVERS:
+        observed, observer = OBSERVERS.pop()
+        observed.RemoveObserver(observer)
+    OBSERVERS.extend((observed, observed.AddObserver(event, function, 1.0)) for observed, event, function in observers)
 
 
 def watch():
     """Starts recording the number of cells of the active source at each image of the active view, and a trace."""
     source = simple.GetActiveSource().GetClientSideObject()
-    view = simple.GetActiveView().SMProxy
-    for observer in OBSERVERS:
-        view.RemoveObserver(observer)
     FRAMES.clear()
-    OBSERVERS[:] = [view.AddObserver(
-        "EndEvent", lambda *_: FRAMES.append(source.GetOutputDataObject(0).GetNumberOfElements(1)))]
+    observe((simple.GetActiveView().SMProxy, "EndEvent",
+             lambda *_: FRAMES.append(source.GetOutputDataObject(0).GetNumberOfElements(1))))
     smtrace.start_trace()
 
 
@@ -97,6 +108,90 @@ def watched(name):
     return [len(set(FRAMES)) > 2, 2 * max(FRAMES[:-1], default=0) < shown,
             shown == source.GetOutputDataObject(0).GetNumberOfElements(1),
             sum(f".{name} = " in line for line in lines)]
+
+
+def set_progressive(is_progressive):
+    """Turns progressive images of the client on or off."""
+    simple.GetSettingsProxy("InterlumeSettings").ProgressiveImages = is_progressive
+
+
+def image():
+    """Returns a digest of the image that the active view shows."""
+    window = simple.GetActiveView().GetRenderWindow()
+    pixels = vtkUnsignedCharArray()
+    window.GetPixelData(0, 0, window.GetSize()[0] - 1, window.GetSize()[1] - 1, 1, pixels, 0)
+    return hashlib.md5(memoryview(pixels)).hexdigest()
+
+
+SCREENSHOTS = []
+
+
+def take_screenshot():
+    """Saves the active view as an image, and stores its pixels."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "image.png")
+        simple.SaveScreenshot(path, simple.GetActiveView())
+        with open(path, "rb") as file:
+            SCREENSHOTS.append(file.read())
+
+
+def is_screenshot_complete():
+    """Returns true if the last screenshot has the pixels of a screenshot without progressive images."""
+    complete(take_screenshot)
+    return SCREENSHOTS[-1] == SCREENSHOTS[-2]
+
+
+def complete(draw):
+    """Returns the result of a function that draws, without progressive images."""
+    set_progressive(0)
+    result = draw()
+    set_progressive(1)
+    return result
+
+
+def drawn():
+    simple.Render()
+    return image()
+
+
+def move_mouse():
+    """Moves the mouse through the X server to the center of the screen and away from it."""
+    server = ctypes.CDLL("libX11.so.6")
+    server.XOpenDisplay.restype = ctypes.c_void_p
+    connection = ctypes.c_void_p(server.XOpenDisplay(None))
+    size = [function(connection, 0) for function in (server.XDisplayWidth, server.XDisplayHeight)]
+    for offset in (0, 3):
+        server.XWarpPointer(connection, 0, server.XDefaultRootWindow(connection), 0, 0, 0, 0,
+                            size[0] // 2 + offset, size[1] // 2)
+    server.XCloseDisplay(connection)
+    time.sleep(0.1)
+
+
+def watch_images(moves_mouse=False):
+    """Starts recording the images that the active view shows, and which were aborted. With `moves_mouse`, the mouse
+    moves once during the first image that follows another one."""
+    view, window = simple.GetActiveView().SMProxy, simple.GetActiveView().GetRenderWindow()
+    moves = [moves_mouse]
+
+    def check(*_):
+        if moves[0] and IMAGES:
+            moves[0] = False
+            move_mouse()
+
+    IMAGES.clear()
+    observe((view, "EndEvent", lambda *_: IMAGES.append((image(), bool(window.GetAbortRender())))),
+            (window, "AbortCheckEvent", check))
+
+
+def refined():
+    """Returns facts about the images since watch_images(): whether the first one was coarse and the last one complete,
+    the number of aborted ones, and whether these did not change what the view shows."""
+    images = list(IMAGES)
+    observe()
+    aborted = [i for i, (_, is_aborted) in enumerate(images) if is_aborted]
+    last = complete(drawn)
+    return [images[0][0] != last, images[-1][0] == last, len(aborted),
+            all(images[i][0] == images[i - 1][0] for i in aborted)]
 
 
 def reset():

@@ -37,7 +37,7 @@ def compress(path):
 
 
 def gestures(states, pictures, names):
-    yield python("import os, newcomer_state")
+    yield python("import os, newcomer_record, newcomer_state; newcomer_record.set_progressive(0)")
     for name in names:
         data, selected, picture = EXAMPLES[name]
         script = os.path.join(repository(), "Examples", "ParaView", name + ".py")

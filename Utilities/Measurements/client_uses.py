@@ -22,7 +22,7 @@ from vtkmodules.vtkRenderingCore import vtkCoordinate
 DRAG = os.environ["INTERLUME_DRAG"]  # Path of drag.py.
 TICK = 0.05  # Time between checks of a condition.
 REST = 0.6  # Time without frames after which the client is at rest.
-# Settings that restore the behavior without levels of detail.
+# Defaults that restore the behavior without levels of detail.
 OFF = {"representations": {"UnstructuredGridRepresentation": {"IntervalAutoAdjustLevelOfDetail": 0}}}
 
 
@@ -272,6 +272,7 @@ def started(use):
     simple.GetActiveViewOrCreate("RenderView")
     if os.environ["INTERLUME_DETAIL"] == "off":
         servermanager.vtkSMSettings.GetInstance().AddCollectionFromString(json.dumps(OFF), 1e6)
+        simple.GetSettingsProxy("InterlumeSettings").ProgressiveImages = 0
     yield from use(Frames())
 
 
