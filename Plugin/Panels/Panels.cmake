@@ -37,18 +37,25 @@ paraview_plugin_add_auto_start(
   SHUTDOWN   shutdown
   INTERFACES progressive_interfaces
   SOURCES    progressive_sources)
+paraview_plugin_add_auto_start(
+  CLASS_NAME pqLiveDisplaySliders
+  STARTUP    startup
+  SHUTDOWN   shutdown
+  INTERFACES slider_interfaces
+  SOURCES    slider_sources)
 if (TARGET Qt5::Gui)
   find_package(Qt5X11Extras QUIET)
 endif ()
 list(APPEND panel_interfaces
   ${area_light_interfaces} ${live_interfaces} ${progressive_interfaces}
-  ${report_interfaces} ${search_interfaces})
+  ${report_interfaces} ${search_interfaces} ${slider_interfaces})
 list(APPEND panel_sources
   ${area_light_sources}
   ${live_sources}
   ${progressive_sources}
   ${report_sources}
   ${search_sources}
+  ${slider_sources}
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/PendingInput.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/PendingInput.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqAreaLightPropertyWidget.cxx"
@@ -57,6 +64,8 @@ list(APPEND panel_sources
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqHyphenInSearch.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqIntervalsPropertyWidget.h"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLiveDisplaySliders.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLiveDisplaySliders.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLivePreviewDecorator.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqLivePreviewDecorator.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.cxx"
