@@ -16,6 +16,7 @@ SECONDS = 1500  # Time limit on a busy machine.
 PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/"
          "PropertiesFrame/ProxyPanel/")
 SEARCH = "pqClientMainWindow/QuickLaunchDialog"
+OPACITY = PANEL.replace("Properties", "Display") + "Opacity/DoubleRangeWidget/Slider"
 RETURN = 0x01000004
 KEY_PRESS = 6
 INTERVALS = PANEL + "Intervals/"
@@ -49,7 +50,10 @@ def of_table(is_table):
 
 def dragged(property_name, positions):
     """Drags the first slider of a property by its handle, which is at the left end, to pixel positions."""
-    slider = f"{PANEL}{property_name}/Sliders/ThresholdBetween_0/Slider"
+    return slid(f"{PANEL}{property_name}/Sliders/ThresholdBetween_0/Slider", positions)
+
+
+def slid(slider, positions):
     left = 1
     return ([(slider, "mousePress", f"{left},{left},0,4,8")]
             + [(slider, "mouseMove", f"{left},{left},0,{x},8") for x in positions]
@@ -75,6 +79,8 @@ HANDLES = "newcomer_record.handles()"
 # Number of cells that are selected in the input of the filter.
 DISPLAY = "GetRepresentation(GetActiveSource(), GetActiveView())"
 ONE = [0.1, 0.12]
+# Refinements run between gestures.
+PAUSE = 8 * shell("import time; time.sleep(0.2)")
 USES = {
     "search": [
         (opened("mug.ex2") + searched("time-varying"), "GetActiveSource().GetXMLName()", "TimeVaryingIntervalVolume")],
@@ -104,6 +110,23 @@ USES = {
         ([APPLIED], "GetActiveSource().Intervals[2:]", [60.0, 70.0]),
         (wavelet(10) + chosen("IsotableContour") + values("Isosurfaces", [38.0]) + [APPLY] + WATCH
          + dragged("ContourValues", [8, 12, 16]), "newcomer_record.watched('Isosurfaces')", [True, False, True, 1])],
+    "progressive tetrahedra": [
+        (wavelet(50) + chosen("IntervalVolume") + values("Intervals", [100, 200]) + shell("newcomer_record.watch_images()")
+         + [APPLY] + PAUSE, "newcomer_record.refined()", [True, True, 0, True])],
+    "progressive slices": [
+        (wavelet(100) + shell("Show()") + drawn_as("Shadowed Slices") + PAUSE
+         + shell("newcomer_record.watch_images(moves_mouse=True)") + values("XFreq", 40) + shell("Render()") + 2 * PAUSE,
+         "newcomer_record.refined()", [True, True, 1, True]),
+        (shell(DISPLAY + ".Opacity = 0; Render(); newcomer_record.watch_images()")
+         # The first and the last image have the same opacity.
+         + slid(OPACITY, [30, 40, 50, 30]), "len(set(newcomer_record.IMAGES)) > 3", True),
+        (PAUSE, "newcomer_record.refined()", [True, True, 0, True]),
+        (shell("newcomer_record.watch_images(); " + DISPLAY + ".Opacity = 0.5; Render(); "
+               "newcomer_record.take_screenshot()") + PAUSE, "newcomer_record.refined()", [True, True, 0, True]),
+        ([], "newcomer_record.is_screenshot_complete()", True),
+        # Nothing has changed, so the final image is shown again.
+        (shell("Render()") + PAUSE + shell("newcomer_record.watch_images(); Render()"), "newcomer_record.refined()",
+         [False, True, 0, True])],
     "drag before Apply": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + WATCH + dragged("Intervals", [8, 14])
          + [check(APPLY[0], "enabled", "true")], "newcomer_record.FRAMES", [])],
