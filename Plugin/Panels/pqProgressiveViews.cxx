@@ -30,6 +30,7 @@ constexpr int PAUSE_AFTER_IMAGE = 100;
 constexpr int PAUSE_AFTER_INPUT = 300;
 /// Number of refinements after which the image is rendered completely. Usually, three suffice.
 constexpr int MAXIMUM_PASSES = 4;
+constexpr double UNLIMITED_SECONDS = 1e6;
 
 vtkSMRenderViewProxy* GetProxy(const pqView* view)
 {
@@ -118,8 +119,8 @@ pqProgressiveViews::View* pqProgressiveViews::findView(vtkObject* proxy)
 void pqProgressiveViews::beginRender(vtkObject* object, unsigned long, void* isInteractive)
 {
   auto* proxy = vtkSMRenderViewProxy::SafeDownCast(object);
-  const bool isStill = !*static_cast<int*>(isInteractive);
-  this->IsProgressive = isStill && IsShown(proxy->GetRenderWindow()) && IsTurnedOn(proxy) &&
+  this->IsStill = !*static_cast<int*>(isInteractive);
+  this->IsProgressive = this->IsStill && IsShown(proxy->GetRenderWindow()) && IsTurnedOn(proxy) &&
     !IsAnimationPlaying() && !(this->Refined && this->Refined->Passes == MAXIMUM_PASSES);
   if (this->IsProgressive && !this->Refined)
   {
@@ -134,6 +135,12 @@ void pqProgressiveViews::beginImage(vtkObject* object)
   if (!renderer->GetSelector())
   {
     vtkProgressiveVolumes::Set(renderer, this->IsProgressive);
+  }
+  if (this->IsStill)
+  {
+    // ParaView limits the time of a still image, too. Times that are expected from coarse images
+    // can exceed the limit.
+    renderer->SetAllocatedRenderTime(UNLIMITED_SECONDS);
   }
 }
 
@@ -163,6 +170,7 @@ void pqProgressiveViews::endRender(vtkObject* object)
     }
   }
   this->IsProgressive = false;
+  this->IsStill = false;
 }
 
 void pqProgressiveViews::refine()

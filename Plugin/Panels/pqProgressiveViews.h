@@ -73,7 +73,8 @@ private:
   View* Refined = nullptr;
   PendingInput Input;
   bool IsAborted = false;
-  /// If true, the current rendering of a proxy may be coarse.
+  /// If true, a proxy is rendering an image that is not interactive, and this may be coarse.
+  bool IsStill = false;
   bool IsProgressive = false;
 };
 

@@ -466,8 +466,13 @@ void SliceRenderer::AddTimes(double coarseness, double start, double updated)
     }
     this->Refinement.End(isFinal);
   }
-  this->LastCoarseness = coarseness;
-  this->LastSeconds = this->Settings.AutoAdjustSampleDistances ? now - start : this->LastSeconds;
+  if (this->Settings.AutoAdjustSampleDistances)
+  {
+    // The time of a coarse pass is mostly overhead, so the time of a complete image does not follow
+    // from it. Otherwise, the next complete image could be coarse.
+    this->LastCoarseness = this->IsRefined ? 1.0 : coarseness;
+    this->LastSeconds = this->IsRefined ? this->Times.GetFinalSeconds() : now - start;
+  }
 }
 
 SliceRasterizer* SliceRenderer::Find(vtkRenderer* renderer) const

@@ -26,6 +26,8 @@ public:
   /// Returns the time of the final image for a viewport of \a size pixels: the measured time or, if
   /// unknown, \a estimate.
   double GetFinalSeconds(const std::array<int, 2>& size, double estimate);
+  /// Returns the result of the last call, or a later measurement.
+  double GetFinalSeconds() const { return this->FinalSeconds; }
 
   /// Returns the coarseness of a pass that may take \a seconds. Call GetFinalSeconds() first.
   double Choose(double seconds) const;
