@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests images during interaction and progressive images: brightness and opacity against the image
-// at rest, the image at rest after interaction, and changes in random order against a new mapper.
+// at rest, the image at rest after interaction, changes in random order against a new mapper, and
+// the level of detail of new meshes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Drawing/ImageCases.h"
 #include "Support/Images/VolumeStage.h"
@@ -332,6 +333,28 @@ void TestEmpty(Check& check, int path)
   check.That(isBlank(), "mesh without finite values");
 }
 
+/// Tests that the measured time of a mesh determines the detail of the next one. Few tetrahedra
+/// that fill a large window take longer than estimated.
+void TestNewMeshes(Check& check)
+{
+  State state;
+  state.Rate = 1000.0;
+  const std::array<int, 2> size{ { 1000, 800 } };
+  VolumeStage stage(size);
+  vtkNew<Mapper> mapper;
+  const auto draw = [&](vtkSmartPointer<vtkUnstructuredGrid> grid)
+  {
+    state.Grid = grid;
+    Draw(stage, mapper, state);
+    return mapper->GetReport()->GetCount("PixelStride");
+  };
+  const auto first = MakeCube(1);
+  check.Equal(draw(first), 1, "estimate: full detail");
+  check.Equal(draw(first), 4, "measured: reduced");
+  check.Equal(draw(MakeBox({ { 1, 1, 1 } })), 4, "a similar mesh: reduced");
+  check.Equal(draw(MakeBox({ { 2, 2, 2 } })), 1, "a larger mesh: estimate");
+}
+
 /// Tests that a mapper whose frames are all still uses no memory for subsets.
 void TestMemory(Check& check)
 {
@@ -364,6 +387,7 @@ int TestTetrahedraMapperDetail(int, char*[])
   TestSample(check, true);
   TestEmpty(check, Mapper::SOFTWARE_PATH);
   TestEmpty(check, Mapper::OPENGL_PATH);
+  TestNewMeshes(check);
   TestMemory(check);
   return check.Result();
 }

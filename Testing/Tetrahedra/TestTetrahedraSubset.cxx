@@ -413,10 +413,40 @@ void CheckLevels(Check& check)
   check.Equal(detail.Choose(500.0), 0, "full detail at rest");
   check.That(detail.Choose(0.2) > 0, "reduced again");
 }
+
+void CheckNewMeshes(Check& check)
+{
+  constexpr std::uint32_t tetrahedra = 100000;
+  LevelOfDetail detail;
+  detail.Reset(tetrahedra, 1e-7);
+  detail.AddMeasurement(0, 10.0);
+  detail.AddMeasurement(2, 3.0);
+  for (const std::uint32_t factor : { 1u, 2u, 3u })
+  {
+    detail.ReplaceMesh(factor * tetrahedra);
+    detail.ReplaceMesh(tetrahedra);
+    const std::string name = "after " + std::to_string(factor) + " times as many: ";
+    check.Near(detail.GetExpectedSeconds(0), 10.0, 1e-9, name + "full detail");
+    check.Near(detail.GetExpectedSeconds(2), 3.0, 1e-9, name + "subset");
+  }
+  detail.ReplaceMesh(2 * tetrahedra);
+  check.Near(detail.GetExpectedSeconds(0), 20.0, 1e-9, "time per tetrahedron");
+  detail.ReplaceMesh(20 * tetrahedra);
+  check.Near(detail.GetExpectedSeconds(0), 0.4, 1e-6, "estimate after a large change");
+
+  // A mesh with fewer levels.
+  detail.Reset(tetrahedra, 1e-7);
+  const int last = detail.Choose(0.0);
+  detail.AddMeasurement(last, 1.0);
+  detail.ReplaceMesh(tetrahedra / 3);
+  const int newLast = detail.Choose(0.0);
+  check.That(newLast < last, "fewer levels");
+  check.That(detail.GetExpectedSeconds(newLast) > 0.3, "the time of a level that does not exist");
+}
 }
 
 int TestTetrahedraSubset(int, char*[])
 {
   return RunChecks({ CheckSums, CheckNesting, CheckAll, CheckValues, CheckArea, CheckOddMeshes,
-    CheckOrder, CheckThreads, CheckLevels });
+    CheckOrder, CheckThreads, CheckLevels, CheckNewMeshes });
 }

@@ -27,8 +27,10 @@ class LevelOfDetail
 public:
   static constexpr std::uint32_t MAXIMUM_SUBSET = 1000000;
   static constexpr std::uint32_t MINIMUM_SUBSET = 20000;
+  /// If a new mesh has more times as many or as few tetrahedra, measured times do not apply to it.
+  static constexpr std::uint32_t MAXIMUM_CHANGE = 4;
 
-  /// Clears the measured times. Call it when the mesh, the window size or the render path changes.
+  /// Clears the measured times. Call it when the window size or the render path changes.
   /// \a costSeconds is the estimated time per unit of GetCost().
   void Reset(std::uint32_t tetrahedra, double costSeconds)
   {
@@ -45,6 +47,31 @@ public:
       ++subsets;
     }
     this->Last = 2 + subsets;
+  }
+
+  /// Call it when the mesh changes. Times measured for a mesh of similar size are scaled by the
+  /// cost.
+  void ReplaceMesh(std::uint32_t tetrahedra)
+  {
+    const LevelOfDetail before = *this;
+    this->Reset(tetrahedra, before.CostSeconds);
+    const auto [smaller, larger] = std::minmax(this->Tetrahedra, before.Tetrahedra);
+    if (larger / smaller >= MAXIMUM_CHANGE)
+    {
+      return;
+    }
+    this->Current = std::min(before.Current, this->Last);
+    // If the new mesh has fewer levels, coarser times apply to its last level. Finer ones replace
+    // them.
+    for (int level = before.Last; level >= 0; --level)
+    {
+      const int target = std::min(level, this->Last);
+      if (before.Seconds[level] > 0.0)
+      {
+        this->Seconds[target] =
+          before.Seconds[level] * this->GetCost(target) / before.GetCost(level);
+      }
+    }
   }
 
   /// Returns the finest level that is expected to take at most the allocated time, or the last

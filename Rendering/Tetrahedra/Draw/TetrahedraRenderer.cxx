@@ -418,14 +418,20 @@ void TetrahedraRenderer::ReleaseSample(vtkOpenGLRenderWindow* window)
 
 void TetrahedraRenderer::UpdateLevels(vtkRenderer* renderer, TetrahedraReport& report)
 {
-  const std::array<int, 4> conditions{ { report.RenderPath, renderer->GetSize()[0],
-    renderer->GetSize()[1], this->Full.Frame.Versions.Mesh } };
+  const std::array<int, 3> conditions{ { report.RenderPath, renderer->GetSize()[0],
+    renderer->GetSize()[1] } };
+  const int mesh = this->Full.Frame.Versions.Mesh;
+  const std::uint32_t tetrahedra = this->Full.Mesh.GetNumberOfTetrahedra();
   if (conditions != this->LevelConditions)
   {
-    this->LevelOfDetail.Reset(
-      this->Full.Mesh.GetNumberOfTetrahedra(), GetCostSeconds(report.RenderPath));
-    this->LevelConditions = conditions;
+    this->LevelOfDetail.Reset(tetrahedra, GetCostSeconds(report.RenderPath));
   }
+  else if (mesh != this->LevelMesh)
+  {
+    this->LevelOfDetail.ReplaceMesh(tetrahedra);
+  }
+  this->LevelConditions = conditions;
+  this->LevelMesh = mesh;
 }
 
 int TetrahedraRenderer::ChooseLevel(

@@ -106,7 +106,7 @@ private:
   Error RenderSample(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
   void ReleaseSample(vtkOpenGLRenderWindow* window);
-  /// Clears the measured times if they do not apply to this image.
+  /// Adapts the measured times to the mesh, or clears them if they do not apply to this image.
   void UpdateLevels(vtkRenderer* renderer, TetrahedraReport& report);
   /// Returns the level of detail for an image that may take \a seconds; 0 is full detail.
   int ChooseLevel(
@@ -194,8 +194,9 @@ private:
   OpaqueSceneDepth Depth;
   SoftwareRasterizer Rasterizer;
   interlume::LevelOfDetail LevelOfDetail;
-  /// Render path, viewport size and version of the mesh for which LevelOfDetail has measured times.
-  std::array<int, 4> LevelConditions{};
+  /// Render path and viewport size, and version of the mesh, for which LevelOfDetail has times.
+  std::array<int, 3> LevelConditions{};
+  int LevelMesh = 0;
   TetrahedraSubset Subset;
   /// Simplified transfer functions, and the version of the colors that they were built from.
   PiecewiseLinearTransferFunction SubsetPieces;
