@@ -24,7 +24,8 @@ bool RenderProgress::IsAborted(double fraction)
     this->EventTime = now;
     this->Mapper->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
   }
-  return this->Window->CheckAbortStatus() != 0;
+  this->Aborted = this->Window->CheckAbortStatus() != 0;
+  return this->Aborted;
 }
 
 }

@@ -32,10 +32,14 @@ public:
    */
   bool IsAborted(double fraction);
 
+  /// Returns the last result of IsAborted().
+  bool WasAborted() const { return this->Aborted; }
+
 private:
   vtkRenderWindow* Window;
   vtkAlgorithm* Mapper;
   double EventTime;
+  bool Aborted = false;
 };
 
 }

@@ -297,16 +297,15 @@ void TetrahedraRenderer::ChooseSort(const Request& request, TetrahedraReport& re
   }
 }
 
-const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
-  const Request& request, TetrahedraReport& report)
+bool TetrahedraRenderer::UpdateOrder(
+  const Request& request, RenderProgress* progress, TetrahedraReport& report)
 {
-  const std::vector<std::uint32_t>* order = nullptr;
+  TetrahedraOrder& order = this->Shown->Order;
   report.Passes = 1;
   if (report.BlendMode == Mapper::PRIORITY_BLEND)
   {
-    order = this->Shown->Order.ComputeLayerOrder(
-      this->Shown->Fields.Layers, request.Mapper->GetLayerPriorities());
-    report.Layers = this->Shown->Order.GetNumberOfLayers();
+    order.ComputeLayerOrder(this->Shown->Fields.Layers, request.Mapper->GetLayerPriorities());
+    report.Layers = order.GetNumberOfLayers();
     report.Passes = report.Layers;
   }
   else
@@ -314,17 +313,21 @@ const std::vector<std::uint32_t>* TetrahedraRenderer::UpdateOrder(
     const auto kind = report.SortMode == Mapper::CENTROID_SORT ? TetrahedraOrder::CENTROID
       : report.SortMode == Mapper::MPVONC_SORT                 ? TetrahedraOrder::VISIBILITY
                                                                : TetrahedraOrder::NONE;
-    order = this->Shown->Order.Compute(kind, this->Shown->Mesh, this->Shown->Frame.View);
-    report.Sorted = this->Shown->Order.WasComputed();
+    const auto isAborted = [progress]() { return progress && progress->IsAborted(COLORED); };
+    if (!order.Compute(kind, this->Shown->Mesh, this->Shown->Frame.View, isAborted))
+    {
+      return false;
+    }
+    report.Sorted = order.WasComputed();
   }
-  this->Shown->Frame.Versions.Order += this->Shown->Order.WasComputed() ? 1 : 0;
+  this->Shown->Frame.Versions.Order += order.WasComputed() ? 1 : 0;
   if (report.SortMode == Mapper::MPVONC_SORT)
   {
-    report.Cycles = this->Shown->Order.GetCycles();
-    report.Gaps = this->Shown->Order.GetGaps();
+    report.Cycles = order.GetCycles();
+    report.Gaps = order.GetGaps();
   }
-  report.HasAdjacency = this->Shown->Order.HasAdjacency();
-  return order;
+  report.HasAdjacency = order.HasAdjacency();
+  return !progress || !progress->IsAborted(ARRANGED);
 }
 
 double TetrahedraRenderer::BeginPass(
@@ -505,10 +508,15 @@ void TetrahedraRenderer::UpdateSubset(std::uint32_t number)
   this->Shown = &reduced;
 }
 
-Error TetrahedraRenderer::ArrangeFrame(const Request& request, TetrahedraReport& report)
+Error TetrahedraRenderer::ArrangeFrame(
+  const Request& request, RenderProgress* progress, TetrahedraReport& report)
 {
   this->ChooseSort(request, report);
-  const Error error = this->ClipMesh(request, this->UpdateOrder(request, report));
+  if (!this->UpdateOrder(request, progress, report))
+  {
+    return {};
+  }
+  const Error error = this->ClipMesh(request, this->Shown->Order.Get());
   report.TetrahedraClipped = error ? 0 : this->Shown->Clip.GetNumberOfClippedTetrahedra();
   return error;
 }
@@ -634,13 +642,13 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
   }
   // Changes of the data take time only once, so the level of detail does not depend on it.
   const double start = vtkTimerLog::GetUniversalTime();
-  error = error ? error : this->ArrangeFrame(request, report);
+  error = error ? error : this->ArrangeFrame(request, &progress, report);
   if (error)
   {
     return this->EndPass(error, true);
   }
   WindowResources& resources = this->GetResources(&window);
-  if (!this->DrawFrame(renderer, volume, resources, progress, report))
+  if (progress.WasAborted() || !this->DrawFrame(renderer, volume, resources, progress, report))
   {
     return {};
   }
@@ -721,7 +729,7 @@ Error TetrahedraRenderer::UpdatePiece(
   // Selection needs no order, except for layers.
   const bool isSorted = !renderer->GetSelector() || report.BlendMode == Mapper::PRIORITY_BLEND;
   return error ? error
-    : isSorted ? this->ArrangeFrame(request, report)
+    : isSorted ? this->ArrangeFrame(request, nullptr, report)
                : this->ClipMesh(request, nullptr);
 }
 

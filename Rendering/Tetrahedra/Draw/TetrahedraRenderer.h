@@ -116,8 +116,9 @@ private:
   Error UpdateFrame(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     std::uint32_t subset, TetrahedraReport& report);
   void UpdateSubset(std::uint32_t number);
-  /// Sorts and clips the tetrahedra. Returns an error if a clipping plane is invalid.
-  Error ArrangeFrame(const Request& request, TetrahedraReport& report);
+  /// Sorts and clips the tetrahedra. If \a progress is not null, sorting can be aborted. Returns an
+  /// error if a clipping plane is invalid.
+  Error ArrangeFrame(const Request& request, RenderProgress* progress, TetrahedraReport& report);
   /// Cuts the mesh at the near plane and the clipping planes, and sets the frame's drawing order.
   /// Returns an error if a clipping plane is invalid.
   Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
@@ -125,7 +126,8 @@ private:
   bool DrawFrame(vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources,
     RenderProgress& progress, TetrahedraReport& report);
   bool HasSingleColor() const;
-  const std::vector<std::uint32_t>* UpdateOrder(const Request& request, TetrahedraReport& report);
+  /// Returns false if sorting was aborted.
+  bool UpdateOrder(const Request& request, RenderProgress* progress, TetrahedraReport& report);
   Error DrawWithOpenGL(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
   /// Returns false if the image was aborted.

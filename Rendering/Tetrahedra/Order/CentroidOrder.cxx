@@ -34,8 +34,8 @@ void FillKeys(const TetrahedraMesh& mesh, std::vector<std::uint32_t>& keys, cons
 }
 }
 
-void CentroidOrder::Compute(
-  const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack)
+bool CentroidOrder::Compute(const TetrahedraMesh& mesh, const Viewpoint& view,
+  std::vector<std::uint32_t>& frontToBack, const std::function<bool()>& isAborted)
 {
   // Keys use the sum of the corners, four times the centroid, so scale the camera position equally.
   const glm::dvec3 eye = 4.0 * view.Eye;
@@ -64,9 +64,14 @@ void CentroidOrder::Compute(
       [&](const glm::dvec3& sum)
       { return glm::dot(sum, sum) - 2.0 * glm::dot(sum, eye) + offset; });
   }
+  if (isAborted && isAborted())
+  {
+    return false;
+  }
   frontToBack.resize(this->Keys.size());
   this->Radix.Sort(
     this->Keys.data(), static_cast<std::uint32_t>(this->Keys.size()), frontToBack.data());
+  return true;
 }
 
 std::size_t CentroidOrder::GetBytes() const

@@ -6,6 +6,7 @@
 #include "Order/RadixSorter.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace interlume
@@ -29,9 +30,9 @@ class CentroidOrder
 {
 public:
   /// Fills \a frontToBack with the indices of all tetrahedra. Internal buffers are reused in the
-  /// next call.
-  void Compute(
-    const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack);
+  /// next call. Returns false if \a isAborted, which is called before sorting, returned true.
+  bool Compute(const TetrahedraMesh& mesh, const Viewpoint& view,
+    std::vector<std::uint32_t>& frontToBack, const std::function<bool()>& isAborted = nullptr);
 
   /// Returns the memory size in bytes, at most 24 per tetrahedron.
   std::size_t GetBytes() const;

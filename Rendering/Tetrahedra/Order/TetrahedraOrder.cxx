@@ -18,44 +18,53 @@ void TetrahedraOrder::ResetLayers()
   this->Kind = this->Kind == LAYERS ? NONE : this->Kind;
 }
 
-const std::vector<std::uint32_t>* TetrahedraOrder::Compute(
-  Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view)
+bool TetrahedraOrder::Compute(Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view,
+  const std::function<bool()>& isAborted)
 {
   this->Computed = false;
   if (kind == NONE)
   {
     this->Reset();
-    return nullptr;
+    return true;
   }
   if (kind == this->Kind && view == this->View)
   {
-    return &this->Order;
+    return true;
   }
   this->Computed = true;
   this->Kind = kind;
   this->View = view;
-  if (kind == CENTROID)
+  if (!this->Sort(mesh, isAborted))
+  {
+    this->Kind = NONE;
+    return false;
+  }
+  return true;
+}
+
+bool TetrahedraOrder::Sort(const TetrahedraMesh& mesh, const std::function<bool()>& isAborted)
+{
+  const ViewRays& rays = this->View.GetRays();
+  if (this->Kind == CENTROID)
   {
     this->Visibility.reset();
-    this->Centroid.Compute(mesh, view.GetRays().Viewpoint, this->Order);
-    return &this->Order;
+    return this->Centroid.Compute(mesh, rays.Viewpoint, this->Order, isAborted);
   }
   if (!this->Visibility)
   {
     this->Visibility = std::make_unique<VisibilityOrder>();
     this->Visibility->Build(mesh);
   }
-  this->Visibility->Compute(mesh, view.GetRays(), this->Order);
-  return &this->Order;
+  return this->Visibility->Compute(mesh, rays, this->Order, isAborted);
 }
 
-const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayerOrder(
+void TetrahedraOrder::ComputeLayerOrder(
   const std::vector<int>& layers, const std::map<int, double>& priorities)
 {
   this->Computed = false;
   if (this->Kind == LAYERS && priorities == this->Priorities)
   {
-    return &this->Order;
+    return;
   }
   this->Computed = true;
   this->Kind = LAYERS;
@@ -80,7 +89,6 @@ const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayerOrder(
     this->Order.insert(this->Order.end(), members[layerId].begin(), members[layerId].end());
   }
   this->NumberOfLayers = static_cast<int>(layerIds.size());
-  return &this->Order;
 }
 
 void TetrahedraOrder::SortLayers(std::vector<int>& layers, const std::map<int, double>& priorities)

@@ -8,6 +8,7 @@
 #include "View/TetrahedraView.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -41,18 +42,23 @@ public:
   void ResetLayers();
 
   /**
-   * Returns the order, front to back, or null for NONE. WasComputed() then returns false if the
-   * order was cached.
+   * Computes the order, front to back. WasComputed() then returns false if the order was cached.
+   * Returns false, without an order, if \a isAborted returned true. It is called between stages.
    */
-  const std::vector<std::uint32_t>* Compute(
-    Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view);
+  bool Compute(Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view,
+    const std::function<bool()>& isAborted = nullptr);
 
   /**
-   * Returns the tetrahedra by descending priority of their layers. Within a layer, tetrahedra are
+   * Sorts the tetrahedra by descending priority of their layers. Within a layer, tetrahedra are
    * in mesh order.
    */
-  const std::vector<std::uint32_t>* ComputeLayerOrder(
-    const std::vector<int>& layers, const std::map<int, double>& priorities);
+  void ComputeLayerOrder(const std::vector<int>& layers, const std::map<int, double>& priorities);
+
+  /// Returns the order, or null for NONE.
+  const std::vector<std::uint32_t>* Get() const
+  {
+    return this->Kind == NONE ? nullptr : &this->Order;
+  }
 
   /// Sorts layers by descending priority.
   static void SortLayers(std::vector<int>& layers, const std::map<int, double>& priorities);
@@ -67,6 +73,9 @@ public:
   std::size_t GetBytes() const;
 
 private:
+  /// Fills Order. Returns false if the computation was aborted.
+  bool Sort(const TetrahedraMesh& mesh, const std::function<bool()>& isAborted);
+
   Kinds Kind = NONE;
   bool Computed = false;
   TetrahedraView View;

@@ -17,12 +17,24 @@ bool VisibilityOrder::Build(const TetrahedraMesh& mesh)
   return true;
 }
 
-void VisibilityOrder::Compute(
-  const TetrahedraMesh& mesh, const ViewRays& rays, std::vector<std::uint32_t>& frontToBack)
+bool VisibilityOrder::Compute(const TetrahedraMesh& mesh, const ViewRays& rays,
+  std::vector<std::uint32_t>& frontToBack, const std::function<bool()>& isAborted)
 {
-  this->Centroid.Compute(mesh, rays.Viewpoint, this->Centroids);
+  const auto stops = [&isAborted]() { return isAborted && isAborted(); };
+  if (stops() || !this->Centroid.Compute(mesh, rays.Viewpoint, this->Centroids, isAborted))
+  {
+    return false;
+  }
   this->Sides.Compute(mesh, rays.Viewpoint, this->InFront);
+  if (stops())
+  {
+    return false;
+  }
   this->Gaps.Compute(mesh, this->Sides, rays);
+  if (stops())
+  {
+    return false;
+  }
   VisibilityGraph graph;
   graph.InFront = this->InFront.data();
   graph.Twins = this->Twins.data();
@@ -32,6 +44,7 @@ void VisibilityOrder::Compute(
     graph.Gaps = this->Gaps.GetInFront().data();
   }
   this->InCycles = this->Search.ListFrontToBack(graph, this->Centroids, frontToBack);
+  return true;
 }
 
 std::size_t VisibilityOrder::GetBytes() const

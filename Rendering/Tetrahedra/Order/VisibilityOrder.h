@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace interlume
@@ -48,10 +49,11 @@ public:
 
   /**
    * Fills \a frontToBack with the indices of all tetrahedra. If \a rays has no pixels, only shared
-   * faces are considered, which is exact for a convex mesh.
+   * faces are considered, which is exact for a convex mesh. Returns false if \a isAborted, which is
+   * called between stages, returned true.
    */
-  void Compute(
-    const TetrahedraMesh& mesh, const ViewRays& rays, std::vector<std::uint32_t>& frontToBack);
+  bool Compute(const TetrahedraMesh& mesh, const ViewRays& rays,
+    std::vector<std::uint32_t>& frontToBack, const std::function<bool()>& isAborted = nullptr);
 
   /// Returns the number of tetrahedra in visibility cycles, in the last order.
   vtkIdType GetNumberOfTetrahedraInCycles() const { return this->InCycles; }
