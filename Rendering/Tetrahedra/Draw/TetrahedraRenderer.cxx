@@ -658,8 +658,9 @@ Error TetrahedraRenderer::RenderMesh(vtkRenderer* renderer, vtkVolume* volume,
     // is complete.
     glFinish();
   }
-  // The software path may show the previous image again.
-  if (report.RenderPath == Mapper::OPENGL_PATH || report.UploadedImageBytes > 0)
+  // The software path may show the previous image or parts of it again.
+  if (report.RenderPath == Mapper::OPENGL_PATH ||
+    (report.UploadedImageBytes > 0 && this->Rasterizer.WasComplete()))
   {
     this->LevelOfDetail.AddMeasurement(level, vtkTimerLog::GetUniversalTime() - start);
   }
@@ -838,7 +839,8 @@ Error TetrahedraRenderer::Select(vtkRenderer* renderer, vtkVolume* volume, const
     frame.IsSelection = true;
     selection = std::make_unique<TetrahedraSelection>();
     vtkDataSet* ids = request.Mapper->GetSelectionIds();
-    selection->Find(renderer, volume, frame, this->Full.Clip, { request.Grid, ids });
+    selection->Find(
+      renderer, volume, frame, this->Full.Clip, { request.Grid, ids }, this->Rasterizer);
   }
   selection->Draw(renderer);
   return {};

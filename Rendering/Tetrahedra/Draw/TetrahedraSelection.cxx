@@ -68,7 +68,7 @@ bool TetrahedraSelection::IsFound(vtkRenderer* renderer, vtkProp* prop) const
 }
 
 void TetrahedraSelection::Find(vtkRenderer* renderer, vtkProp* prop, const TetrahedraFrame& frame,
-  const PlaneClip& clip, const Source& source)
+  const PlaneClip& clip, const Source& source, SoftwareRasterizer& rasterizer)
 {
   this->Renderer = renderer;
   this->Prop = prop;
@@ -82,9 +82,8 @@ void TetrahedraSelection::Find(vtkRenderer* renderer, vtkProp* prop, const Tetra
   const TetrahedraView& view = frame.View;
   this->Width = view.GetWidth();
   this->Height = view.GetHeight();
-  SoftwareRasterizer rasterizer;
   rasterizer.Draw(frame);
-  const std::vector<SeenTetrahedra::Seen>& seen = rasterizer.GetSeen();
+  const std::vector<SeenTetrahedra::Seen> seen = rasterizer.ReleaseSeen();
   this->Pixels.assign(seen.size(), Pixel());
   const bool isPoints = SelectsPoints(renderer->GetSelector());
   vtkSMPTools::For(0, static_cast<vtkIdType>(seen.size()),

@@ -23,6 +23,7 @@ namespace interlume
 {
 
 class PlaneClip;
+class SoftwareRasterizer;
 
 /**
  * @class   TetrahedraSelection
@@ -55,10 +56,11 @@ public:
   };
 
   /**
-   * Finds the tetrahedra seen, given a frame that contains the parts that \a clip appended.
+   * Finds the tetrahedra seen, given a frame that contains the parts that \a clip appended. \a
+   * rasterizer may have drawn the same frame before, which saves time.
    */
   void Find(vtkRenderer* renderer, vtkProp* prop, const TetrahedraFrame& frame,
-    const PlaneClip& clip, const Source& source);
+    const PlaneClip& clip, const Source& source, SoftwareRasterizer& rasterizer);
 
   /// Draws the colors of the current pass of the renderer's selector.
   void Draw(vtkRenderer* renderer);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace interlume
 {
@@ -14,6 +16,17 @@ namespace
 /// Number of tetrahedra per task. It is fixed, so that lists do not depend on the number of
 /// threads.
 constexpr std::size_t CHUNK = 1 << 16;
+
+/// Returns the number of tetrahedra to draw.
+std::size_t GetNumber(const TetrahedraFrame& frame)
+{
+  return frame.Order ? frame.Order->size() : frame.Mesh->GetNumberOfTetrahedra();
+}
+
+std::size_t GetNumberOfChunks(const TetrahedraFrame& frame)
+{
+  return (GetNumber(frame) + CHUNK - 1) / CHUNK;
+}
 }
 
 void TileBins::ProjectPoints(const TetrahedraFrame& frame)
@@ -61,75 +74,100 @@ TileBins::Range TileBins::GetRange(const TetrahedraFrame& frame, std::uint32_t t
   return { { tile(left), tile(right), tile(bottom), tile(top) } };
 }
 
-void TileBins::Fill(const TetrahedraFrame& frame)
+void TileBins::FindRanges(const TetrahedraFrame& frame)
 {
-  this->Columns = (frame.View.GetWidth() + SIZE - 1) / SIZE;
-  this->Rows = (frame.View.GetHeight() + SIZE - 1) / SIZE;
-  this->ProjectPoints(frame);
-  const std::size_t all = frame.Mesh->GetNumberOfTetrahedra();
-  this->Ranges.resize(all);
-  ParallelFor(0, static_cast<vtkIdType>(all),
+  this->Ranges.resize(frame.Mesh->GetNumberOfTetrahedra());
+  ParallelFor(0, static_cast<vtkIdType>(this->Ranges.size()),
     [&](vtkIdType t) { this->Ranges[t] = this->GetRange(frame, static_cast<std::uint32_t>(t)); });
+}
 
+template <typename Action>
+vtkIdType TileBins::VisitChunk(
+  const TetrahedraFrame& frame, std::size_t chunk, const Action& action) const
+{
   const std::vector<std::uint32_t>* order = frame.Order;
-  const std::size_t number = order ? order->size() : all;
-  const std::size_t chunks = (number + CHUNK - 1) / CHUNK;
+  const std::size_t last = std::min(GetNumber(frame), (chunk + 1) * CHUNK);
+  vtkIdType drawn = 0;
+  for (std::size_t i = chunk * CHUNK; i < last; ++i)
+  {
+    const std::uint32_t tetrahedron = order ? (*order)[i] : static_cast<std::uint32_t>(i);
+    const Range& range = this->Ranges[tetrahedron];
+    for (int row = range[2]; row <= range[3]; ++row)
+    {
+      for (int column = range[0]; column <= range[1]; ++column)
+      {
+        action(static_cast<std::size_t>(row) * this->Columns + column, tetrahedron);
+      }
+    }
+    drawn += range[0] <= range[1];
+  }
+  return drawn;
+}
+
+std::vector<std::size_t> TileBins::CountTetrahedra(const TetrahedraFrame& frame)
+{
+  const std::size_t chunks = GetNumberOfChunks(frame);
   const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
-  // counts[chunk * tiles + tile] is first the number of the chunk's tetrahedra in the tile, and
-  // later the position in Lists of the next one.
   std::vector<std::size_t> counts(chunks * tiles, 0);
   std::vector<vtkIdType> drawn(chunks, 0);
-  const auto visit = [&](std::size_t chunk, auto&& action)
-  {
-    const std::size_t last = std::min(number, (chunk + 1) * CHUNK);
-    for (std::size_t i = chunk * CHUNK; i < last; ++i)
-    {
-      const std::uint32_t tetrahedron = order ? (*order)[i] : static_cast<std::uint32_t>(i);
-      const Range& range = this->Ranges[tetrahedron];
-      for (int row = range[2]; row <= range[3]; ++row)
-      {
-        for (int column = range[0]; column <= range[1]; ++column)
-        {
-          action(static_cast<std::size_t>(row) * this->Columns + column, tetrahedron);
-        }
-      }
-      drawn[chunk] += range[0] <= range[1];
-    }
-  };
   ParallelFor(0, static_cast<vtkIdType>(chunks), 1,
     [&](vtkIdType chunk)
     {
       std::size_t* count = &counts[chunk * tiles];
-      visit(chunk, [count](std::size_t tile, std::uint32_t) { ++count[tile]; });
+      drawn[chunk] =
+        this->VisitChunk(frame, chunk, [count](std::size_t tile, std::uint32_t) { ++count[tile]; });
     });
-  this->NumberDrawn = 0;
-  for (vtkIdType& chunkCount : drawn)
-  {
-    this->NumberDrawn += chunkCount;
-    chunkCount = 0;
-  }
+  this->NumberDrawn = std::accumulate(drawn.begin(), drawn.end(), vtkIdType(0));
+  return counts;
+}
+
+void TileBins::FindPositions(std::vector<std::size_t>& counts)
+{
+  const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
   this->Starts.assign(tiles + 1, 0);
   std::size_t sum = 0;
   for (std::size_t tile = 0; tile < tiles; ++tile)
   {
     this->Starts[tile] = sum;
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+    for (std::size_t i = tile; i < counts.size(); i += tiles)
     {
-      std::size_t& count = counts[chunk * tiles + tile];
-      sum += count;
-      count = sum - count;
+      sum += std::exchange(counts[i], sum);
     }
   }
   this->Starts[tiles] = sum;
-  this->Lists.resize(sum);
-  ParallelFor(0, static_cast<vtkIdType>(chunks), 1,
+}
+
+bool TileBins::Fill(const TetrahedraFrame& frame, const std::function<bool()>& isAborted)
+{
+  this->Columns = (frame.View.GetWidth() + SIZE - 1) / SIZE;
+  this->Rows = (frame.View.GetHeight() + SIZE - 1) / SIZE;
+  this->ProjectPoints(frame);
+  if (isAborted())
+  {
+    return false;
+  }
+  this->FindRanges(frame);
+  if (isAborted())
+  {
+    return false;
+  }
+  std::vector<std::size_t> positions = this->CountTetrahedra(frame);
+  if (isAborted())
+  {
+    return false;
+  }
+  this->FindPositions(positions);
+  this->Lists.resize(this->Starts.back());
+  const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
+  ParallelFor(0, static_cast<vtkIdType>(GetNumberOfChunks(frame)), 1,
     [&](vtkIdType chunk)
     {
-      std::size_t* next = &counts[chunk * tiles];
-      visit(chunk,
+      std::size_t* next = &positions[chunk * tiles];
+      this->VisitChunk(frame, chunk,
         [this, next](std::size_t tile, std::uint32_t tetrahedron)
         { this->Lists[next[tile]++] = tetrahedron; });
     });
+  return true;
 }
 
 std::size_t TileBins::GetBytes() const

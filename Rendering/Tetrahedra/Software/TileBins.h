@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace interlume
@@ -32,7 +33,9 @@ public:
     float DeltaT;
   };
 
-  void Fill(const TetrahedraFrame& frame);
+  /// Fills the lists. Returns false if \a isAborted, which is called between stages, returned true.
+  /// The lists are then incomplete.
+  bool Fill(const TetrahedraFrame& frame, const std::function<bool()>& isAborted);
 
   int GetColumns() const { return this->Columns; }
   int GetNumberOfTiles() const { return this->Columns * this->Rows; }
@@ -47,7 +50,16 @@ private:
   using Range = std::array<std::uint16_t, 4>;
 
   void ProjectPoints(const TetrahedraFrame& frame);
+  void FindRanges(const TetrahedraFrame& frame);
   Range GetRange(const TetrahedraFrame& frame, std::uint32_t tetrahedron) const;
+  /// Calls action(tile, tetrahedron) for the tiles of each tetrahedron of a chunk, in drawing
+  /// order. Returns the number of tetrahedra in tiles.
+  template <typename Action>
+  vtkIdType VisitChunk(const TetrahedraFrame& frame, std::size_t chunk, const Action& action) const;
+  /// Counts the tetrahedra per chunk and tile, with the tile as faster index.
+  std::vector<std::size_t> CountTetrahedra(const TetrahedraFrame& frame);
+  /// Sets the starts of the lists, and replaces counts by positions in the lists.
+  void FindPositions(std::vector<std::size_t>& counts);
 
   int Columns = 0;
   int Rows = 0;

@@ -4,7 +4,6 @@
 #include "Offscreen/SceneDepth.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace interlume
 {
@@ -44,7 +43,7 @@ void OpaqueSceneDepth::Resample(const TetrahedraView& view, int stride, bool isC
         ? 1.0
         : this->Buffer[static_cast<std::size_t>(row) * this->Size[0] + column];
       this->Depths.push_back(value >= 1.0 && !isCutByFarPlane
-          ? std::numeric_limits<float>::lowest()
+          ? NONE
           : static_cast<float>(view.GetDepthFromBuffer(x + 0.5, y + 0.5, value)));
     }
   }

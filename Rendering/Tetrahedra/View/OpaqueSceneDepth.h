@@ -5,6 +5,7 @@
 #include "View/TetrahedraView.h"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 class vtkRenderer;
@@ -19,6 +20,9 @@ namespace interlume
 class OpaqueSceneDepth
 {
 public:
+  /// Depth of a pixel at which tetrahedra are not cut.
+  static constexpr float NONE = std::numeric_limits<float>::lowest();
+
   /**
    * Reads the scene's depth buffer. Returns true if it contains a surface; otherwise GetBuffer() is
    * empty.
@@ -36,7 +40,7 @@ public:
   /**
    * Converts the depth buffer value of every \a stride-th pixel in x and y to a depth as defined by
    * TetrahedraView. A pixel without a surface gets the depth of the far plane if \a
-   * isCutByFarPlane, otherwise the lowest float, so that tetrahedra are not cut there.
+   * isCutByFarPlane, otherwise NONE.
    */
   void Resample(const TetrahedraView& view, int stride, bool isCutByFarPlane);
 
