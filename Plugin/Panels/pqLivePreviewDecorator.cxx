@@ -14,6 +14,7 @@
 #include "vtkSMUncheckedPropertyHelper.h"
 #include "vtkSMViewProxy.h"
 
+#include <QEvent>
 #include <QSlider>
 
 namespace
@@ -50,6 +51,7 @@ pqLivePreviewDecorator::pqLivePreviewDecorator(vtkPVXMLElement* xml, pqPropertyW
     this->connect(slider, SIGNAL(sliderPressed()), SLOT(begin()));
     this->connect(slider, SIGNAL(valueChanged(int)), SLOT(schedule()));
     this->connect(slider, SIGNAL(sliderReleased()), SLOT(end()));
+    slider->installEventFilter(this);
   }
 }
 
@@ -58,6 +60,17 @@ pqLivePreviewDecorator::~pqLivePreviewDecorator() = default;
 pqProxy* pqLivePreviewDecorator::findProxy() const
 {
   return GetModel()->findItem<pqProxy*>(this->parentWidget()->proxy());
+}
+
+bool pqLivePreviewDecorator::eventFilter(QObject* slider, QEvent* event)
+{
+  // A slider that is hidden while it is dragged is never released. Wait until its filter, which may
+  // be the reason, is deleted.
+  if (event->type() == QEvent::Hide)
+  {
+    QMetaObject::invokeMethod(this, "end", Qt::QueuedConnection);
+  }
+  return Superclass::eventFilter(slider, event);
 }
 
 void pqLivePreviewDecorator::begin()
@@ -87,15 +100,17 @@ void pqLivePreviewDecorator::push(const std::vector<double>& values, int cells)
 
 void pqLivePreviewDecorator::update()
 {
+  pqProxy* proxy = this->findProxy();
   const std::vector<double> values =
     vtkSMUncheckedPropertyHelper(this->parentWidget()->property()).GetDoubleArray();
-  if (!this->IsLive || values == this->Sent)
+  if (!proxy || !this->IsLive || values == this->Sent)
   {
     return;
   }
+  SCOPED_UNDO_EXCLUDE();
   this->Sent = values;
   this->push(values, this->Cells);
-  this->findProxy()->setModifiedState(pqProxy::UNMODIFIED);
+  proxy->setModifiedState(pqProxy::UNMODIFIED);
   for (pqRenderView* view : GetModel()->findItems<pqRenderView*>())
   {
     if (view->getViewProxy()->GetNeedsUpdate())
@@ -107,22 +122,26 @@ void pqLivePreviewDecorator::update()
 
 void pqLivePreviewDecorator::end()
 {
+  pqProxy* proxy = this->findProxy();
   const std::vector<double> values =
     vtkSMUncheckedPropertyHelper(this->parentWidget()->property()).GetDoubleArray();
-  const bool isChanged = this->IsLive && (values != this->Before || this->Sent != this->Before);
+  const bool isChanged =
+    proxy && this->IsLive && (values != this->Before || this->Sent != this->Before);
   this->IsLive = false;
   if (!isChanged)
   {
     return;
   }
   // Undo and trace record the change from the values before the drag.
-  this->push(this->Before, 0);
-  BEGIN_UNDO_SET("Drag");
+  {
+    SCOPED_UNDO_EXCLUDE();
+    this->push(this->Before, 0);
+  }
+  SCOPED_UNDO_SET(tr("Drag Slider"));
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->parentWidget()->proxy());
     this->push(values, 0);
   }
-  this->findProxy()->setModifiedState(pqProxy::UNMODIFIED);
+  proxy->setModifiedState(pqProxy::UNMODIFIED);
   RenderApplied(this->parentWidget());
-  END_UNDO_SET();
 }

@@ -21,7 +21,8 @@ class pqProxy;
  * During the drag, the values are sent to the filter, its property PreviewCellLimit is set to
  * *cells*, and the render views that show it render interactively. One update runs at a time, with
  * the last values. When the user releases the slider, the values are applied as by the button
- * Apply: one line of Python trace, and a render without preview. Reset then keeps them.
+ * Apply: one step to undo, one line of Python trace, and a render without preview. Reset then keeps
+ * them.
  *
  * If the filter has changes that are not applied, or was never applied, the sliders do not update
  * it.
@@ -35,6 +36,8 @@ public:
   pqLivePreviewDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent);
   ~pqLivePreviewDecorator() override;
 
+  bool eventFilter(QObject* slider, QEvent* event) override;
+
 private Q_SLOTS:
   void begin();
   void schedule();
@@ -44,6 +47,7 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqLivePreviewDecorator)
 
+  /// Returns null if the filter was deleted.
   pqProxy* findProxy() const;
   /// Sends values to the filter. A preview is exact up to \a cells cells; 0 for no preview.
   void push(const std::vector<double>& values, int cells);

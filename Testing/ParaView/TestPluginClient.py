@@ -48,16 +48,25 @@ def of_table(is_table):
             check(INTERVALS + "Reset", "visible", "true")]
 
 
-def dragged(property_name, positions):
-    """Drags the first slider of a property by its handle, which is at the left end, to pixel positions."""
-    return slid(f"{PANEL}{property_name}/Sliders/ThresholdBetween_0/Slider", positions)
+def slider_of(property_name):
+    return f"{PANEL}{property_name}/Sliders/ThresholdBetween_0/Slider"
+
+
+def dragging(slider, positions):
+    """Drags a slider by its handle, which is at the left end, to pixel positions, without releasing it."""
+    left = 1
+    return ([(slider, "mousePress", f"{left},{left},0,4,8")]
+            + [(slider, "mouseMove", f"{left},{left},0,{x},8") for x in positions])
 
 
 def slid(slider, positions):
-    left = 1
-    return ([(slider, "mousePress", f"{left},{left},0,4,8")]
-            + [(slider, "mouseMove", f"{left},{left},0,{x},8") for x in positions]
-            + [(slider, "mouseRelease", f"{left},0,0,{positions[-1]},8")])
+    """Drags and releases a slider."""
+    return [*dragging(slider, positions), (slider, "mouseRelease", f"1,0,0,{positions[-1]},8")]
+
+
+def dragged(property_name, positions):
+    """Drags and releases the first slider of a property."""
+    return slid(slider_of(property_name), positions)
 
 
 def wavelet(size):
@@ -73,10 +82,12 @@ def values(name, numbers):
 RANGE = [37.0, 60.0]
 WATCH = shell("newcomer_record.watch()")
 APPLIED = check(APPLY[0], "enabled", "false")
+UNDO = [(MENU_BAR + "/menu_Edit", "activate", "actionEditUndo")]
+REDO = [(MENU_BAR + "/menu_Edit", "activate", "actionEditRedo")]
+FILTER = "FindSource('IntervalVolume1')"
 LEGEND = "GetScalarBar(GetColorTransferFunction('AsH3'), GetActiveView()).RangeLabelFormat"
 ROWS = "[round(value, 6) for value in FindSource('IntervalVolume1').Intervals]"
 HANDLES = "newcomer_record.handles()"
-# Number of cells that are selected in the input of the filter.
 DISPLAY = "GetRepresentation(GetActiveSource(), GetActiveView())"
 ONE = [0.1, 0.12]
 # Refinements run between gestures.
@@ -102,6 +113,12 @@ USES = {
         (wavelet(51) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY] + WATCH
          + dragged("Intervals", [6, 7, 8, 9]), "newcomer_record.watched('Intervals')", [True, True, True, 1]),
         ([APPLIED], "GetActiveSource().Intervals[1]", RANGE[1])],
+    # Each command of the Python shell clears the steps to undo.
+    "undo a drag": [
+        (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY]
+         + dragged("Intervals", [6, 7, 8, 9]) + [APPLIED, *UNDO, APPLIED], "list(GetActiveSource().Intervals)", RANGE),
+        (dragged("Intervals", [6, 7, 8, 9]) + UNDO + REDO + [APPLIED],
+         "GetActiveSource().Intervals[0] > " + str(RANGE[0]), True)],
     "drag small data": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY] + WATCH
          + dragged("Intervals", [6, 7, 8, 9, 10]), "newcomer_record.watched('Intervals')", [True, False, True, 1]),
@@ -130,6 +147,26 @@ USES = {
     "drag before Apply": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + WATCH + dragged("Intervals", [8, 14])
          + [check(APPLY[0], "enabled", "true")], "newcomer_record.FRAMES", [])],
+    "drag outside of the range": [
+        (wavelet(10) + chosen("IntervalVolume") + values("Intervals", [-500.0, 900.0]) + [APPLY] + WATCH
+         + dragged("Intervals", [6, 7, 8, 9]), "newcomer_record.watched('Intervals')", [True, False, True, 1]),
+        ([APPLIED], "GetActiveSource().Intervals[0] > 37 and GetActiveSource().Intervals[1] == 900", True)],
+    "drag one of two": [
+        (wavelet(10) + chosen("IntervalVolume") + values("Intervals", [100.0, 200.0]) + [APPLY]
+         + shell("SetActiveSource(FindSource('Wavelet1'))") + chosen("IntervalVolume") + values("Intervals", RANGE)
+         + [APPLY] + dragged("Intervals", [6, 7, 8, 9]) + [APPLIED, *UNDO, APPLIED],
+         "[list(source.Intervals) for source in (FindSource('IntervalVolume1'), FindSource('IntervalVolume2'))]",
+         [[100.0, 200.0], RANGE])],
+    "drag a hidden slider": [
+        (wavelet(51) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY] + WATCH
+         + dragging(slider_of("Intervals"), [6, 7, 8, 9]) + shell("SetActiveSource(FindSource('Wavelet1'))"),
+         f"{FILTER}.SMProxy.GetProperty('PreviewCellLimit').GetElement(0)", 0)],
+    "drag a deleted filter": [
+        (wavelet(51) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY]
+         + dragging(slider_of("Intervals"), [6, 7, 8, 9]) + shell(f"Delete({FILTER})"), FILTER, None)],
+    "drag and disconnect": [
+        (wavelet(51) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY]
+         + dragging(slider_of("Intervals"), [6, 7, 8, 9]) + shell("Disconnect(); Connect()"), "len(GetSources())", 0)],
     "skipped cells": [
         (shell("w = Wavelet(); w.UpdatePipeline(); f = ProgrammableFilter(Input=w); f.Script = 'import numpy; "
                "v = inputs[0].PointData[\"RTData\"]; "
