@@ -43,11 +43,16 @@ paraview_plugin_add_auto_start(
   SHUTDOWN   shutdown
   INTERFACES slider_interfaces
   SOURCES    slider_sources)
+paraview_plugin_add_action_group(
+  CLASS_NAME pqSourceCells
+  GROUP_NAME "MenuBar/Edit"
+  INTERFACES cells_interfaces
+  SOURCES    cells_sources)
 if (TARGET Qt5::Gui)
   find_package(Qt5X11Extras QUIET)
 endif ()
 list(APPEND panel_interfaces
-  ${area_light_interfaces} ${live_interfaces} ${progressive_interfaces}
+  ${area_light_interfaces} ${cells_interfaces} ${live_interfaces} ${progressive_interfaces}
   ${report_interfaces} ${search_interfaces} ${slider_interfaces})
 list(APPEND panel_sources
   ${area_light_sources}
@@ -55,6 +60,7 @@ list(APPEND panel_sources
   ${progressive_sources}
   ${report_sources}
   ${search_sources}
+  ${cells_sources}
   ${slider_sources}
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/PendingInput.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/PendingInput.h"
@@ -71,4 +77,6 @@ list(APPEND panel_sources
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqProgressiveViews.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.cxx"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.h")
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.h"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqSourceCells.cxx"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqSourceCells.h")

@@ -85,6 +85,13 @@ APPLIED = check(APPLY[0], "enabled", "false")
 UNDO = [(MENU_BAR + "/menu_Edit", "activate", "actionEditUndo")]
 REDO = [(MENU_BAR + "/menu_Edit", "activate", "actionEditRedo")]
 FILTER = "FindSource('IntervalVolume1')"
+SELECT_SOURCE_CELLS = [(MENU_BAR + "/menu_Edit", "activate", "actionSelectSourceCells")]
+MESSAGE = "pqClientMainWindow/SourceCellsMessage/"
+SELECT_CELLS = shell("Render(); x, y = GetActiveView().ViewSize; SelectSurfaceCells(Rectangle=[0, 0, x - 1, y - 1])")
+# Compares the cells that are selected in the input of the filter with the origins of the cells that were selected in
+# its output.
+ARE_SOURCES = f"newcomer_record.selected({FILTER}.Input, 'vtkOriginalCellIds') == newcomer_record.SELECTED"
+REMEMBERED = f"len(newcomer_record.remember({FILTER})) > 50"
 LEGEND = "GetScalarBar(GetColorTransferFunction('AsH3'), GetActiveView()).RangeLabelFormat"
 ROWS = "[round(value, 6) for value in FindSource('IntervalVolume1').Intervals]"
 HANDLES = "newcomer_record.handles()"
@@ -167,6 +174,20 @@ USES = {
     "drag and disconnect": [
         (wavelet(51) + chosen("IntervalVolume") + values("Intervals", RANGE) + [APPLY]
          + dragging(slider_of("Intervals"), [6, 7, 8, 9]) + shell("Disconnect(); Connect()"), "len(GetSources())", 0)],
+    "source cells": [
+        (opened("disk_out_ref.vtu") + applied("IntervalVolume") + SELECT_SOURCE_CELLS
+         + [check(MESSAGE + "qt_msgbox_label", "text", "Select cells in the output of an Interval Volume first.")]
+         + clicked(MESSAGE + "qt_msgbox_buttonbox/1QPushButton0") + SELECT_CELLS + SELECT_SOURCE_CELLS
+         + clicked(MESSAGE + "qt_msgbox_buttonbox/1QPushButton0"), ARE_SOURCES, True),
+        (shell(f"{FILTER}.GenerateOriginArrays = 1") + [APPLY] + SELECT_CELLS, REMEMBERED, True),
+        (SELECT_SOURCE_CELLS, ARE_SOURCES, True),
+        ([], f"newcomer_record.selected({FILTER}, 'OriginCell')", []),
+        ([], f"str(GetRepresentation({FILTER}.Input, GetActiveView()).Representation)", "'Outline'"),
+        ([], "GetActiveSource().GetXMLName()", "XMLUnstructuredGridReader")],
+    "source cells of blocks": [
+        (opened("mug.ex2") + applied("IntervalVolume") + shell(f"{FILTER}.GenerateOriginArrays = 1") + [APPLY]
+         + SELECT_CELLS, REMEMBERED, True),
+        (SELECT_SOURCE_CELLS, ARE_SOURCES, True)],
     "skipped cells": [
         (shell("w = Wavelet(); w.UpdatePipeline(); f = ProgrammableFilter(Input=w); f.Script = 'import numpy; "
                "v = inputs[0].PointData[\"RTData\"]; "

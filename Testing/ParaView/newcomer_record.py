@@ -194,5 +194,35 @@ def refined():
             all(images[i][0] == images[i - 1][0] for i in aborted)]
 
 
+SELECTED = []
+
+
+def selected(source, array):
+    """Returns the values of a cell array in the selected cells of a source, with the composite indices of the blocks."""
+    proxy = source.SMProxy
+    if not proxy.GetSelectionInput(0):
+        return []
+    extract = proxy.GetSelectionOutput(0)
+    extract.UpdatePipeline(simple.GetAnimationScene().TimeKeeper.Time)
+    data = extract.GetClientSideObject().GetOutputDataObject(0)
+    blocks = [(0, data)]
+    if data.IsA("vtkCompositeDataSet"):
+        at = data.NewIterator()
+        blocks = []
+        at.InitTraversal()
+        while not at.IsDoneWithTraversal():
+            blocks.append((at.GetCurrentFlatIndex(), at.GetCurrentDataObject()))
+            at.GoToNextItem()
+    arrays = [(index, block.GetCellData().GetArray(array)) for index, block in blocks]
+    return sorted({(index, values.GetValue(i)) for index, values in arrays if values
+                   for i in range(values.GetNumberOfValues())})
+
+
+def remember(source):
+    """Stores the source cells of the cells that are selected in the output of a filter, and returns them."""
+    SELECTED[:] = selected(source, "OriginCell")
+    return SELECTED
+
+
 def reset():
     simple.ResetSession()
