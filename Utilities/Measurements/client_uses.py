@@ -16,7 +16,8 @@ import traceback
 
 from paraview import servermanager, simple
 from PyQt5.QtCore import QObject, QPoint, QTimer
-from PyQt5.QtWidgets import QAction, QApplication, QComboBox, QMessageBox, QSlider, QStyle, QStyleOptionSlider
+from PyQt5.QtWidgets import (
+    QAction, QApplication, QComboBox, QMessageBox, QSlider, QStyle, QStyleOptionSlider, QToolTip)
 from vtkmodules.vtkRenderingCore import vtkCoordinate
 
 DRAG = os.environ["INTERLUME_DRAG"]  # Path of drag.py.
@@ -101,6 +102,12 @@ def widget_of(name, kind=QObject):
     raise LookupError(f"the client shows no widget {name}")
 
 
+def action_of(name):
+    """Returns a menu entry or button of the main window."""
+    main = [top for top in QApplication.instance().topLevelWidgets() if top.objectName() == "pqClientMainWindow"][0]
+    return main.findChildren(QAction, name)[0]
+
+
 def position(widget, x, y):
     """Returns the screen position of a fraction of a widget's size."""
     point = widget.mapToGlobal(QPoint(int(x * widget.width()), int(y * widget.height())))
@@ -176,6 +183,44 @@ def dragged(frames, method, start, end):
           longest_seconds=gap([begin[0], *times, last[0]]), still_seconds=max(frames.take(), default=last[0]) - last[0])
 
 
+def answered(frames, method, words):
+    """Measures the processor time from a gesture, given as arguments of xdotool, until the client is at rest."""
+    yield frames.at_rest()
+    frames.take()
+    start = time.process_time()
+    gesture = subprocess.Popen(["xdotool", *map(str, words)])
+    yield lambda: gesture.poll() is not None
+    yield frames.at_rest()
+    write(method, cells=tetrahedra(), frames=len(frames.take()), processor_seconds=time.process_time() - start)
+
+
+def toggled(name):
+    """Presses a button of the view."""
+    action_of(name).trigger()
+    yield after(1)
+
+
+def hovered(frames, name):
+    """Moves the mouse over the view while a tooltip shows values, and stops there."""
+    yield from toggled(name)
+    view = widget_of("pqQVTKWidget")
+    for step in range(4):
+        x, y = position(view, 0.45 + 0.02 * step, 0.5)
+        yield from answered(frames, name + ("" if step else ", first"), ("mousemove", x, y))
+        if not QToolTip.isVisible():
+            print(f"{name}: no tooltip is visible.", file=sys.__stderr__)
+    yield from toggled(name)
+
+
+def selected(frames):
+    """Drags a rubber band over most of the view."""
+    yield from toggled("actionSelectSurfaceCells")
+    view = widget_of("pqQVTKWidget")
+    begin, end = position(view, 0.2, 0.2), position(view, 0.8, 0.8)
+    yield from answered(frames, "rubber band", (
+        "mousemove", *begin, "sleep", 0.3, "mousedown", 1, "sleep", 0.3, "mousemove", *end, "sleep", 0.3, "mouseup", 1))
+
+
 def rotated(frames):
     view = widget_of("pqQVTKWidget")
     yield from dragged(frames, "rotate", position(view, 0.4, 0.5), position(view, 0.6, 0.6))
@@ -199,8 +244,7 @@ def shown(source, **properties):
 def applied(frames, name, **properties):
     """Creates a filter from its menu entry, sets its properties and presses Apply."""
     yield frames.at_rest()  # The client enables menu entries with a delay.
-    main = [top for top in QApplication.instance().topLevelWidgets() if top.objectName() == "pqClientMainWindow"][0]
-    main.findChildren(QAction, name)[0].trigger()
+    action_of(name).trigger()
     yield after(1)
     proxy = simple.GetActiveSource()
     for key, value in properties.items():
@@ -216,6 +260,14 @@ def intervals(points):
         yield from dragged(frames, "slider", *slider_positions(widget_of("Intervals")))
         yield from collapsed(frames)
     return use
+
+
+def selections(frames):
+    shown(simple.AnalyticFieldSource(Field="Gyroid", NumberOfTimeSteps=1, WholeExtent=[0, 71] * 3))
+    yield from applied(frames, "IntervalVolume", Intervals=[-0.6, 0.6])
+    yield from hovered(frames, "actionHoveringSurfaceCells")
+    yield from hovered(frames, "actionHoveringSurfacePoints")
+    yield from selected(frames)
 
 
 def time_steps(frames):
@@ -255,6 +307,7 @@ USES = {
     "time-24x64": time_steps,
     "intervals-6M": intervals(132),
     "intervals-8M": intervals(144),
+    "select-1M": selections,
     "slices-256x256x128": slices(
         lambda: simple.ExtractSubset(Input=opened("bonsai.vti"), VOI=[0, 255, 0, 255, 64, 191])),
     "slices-256": slices(lambda: opened("bonsai.vti")),

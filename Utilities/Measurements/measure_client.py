@@ -25,7 +25,8 @@ from newcomer_client import display, started  # noqa: E402
 
 SCREEN = "1451x981"  # The view then has 1143 x 746 pixels in ParaView 5.11.
 SECONDS = 1800  # Time limit of a use on a busy machine.
-USES = ("time-24x64", "intervals-6M", "intervals-8M", "slices-256x256x128", "slices-256", "slices-64", "slices-21")
+USES = ("time-24x64", "intervals-6M", "intervals-8M", "select-1M", "slices-256x256x128", "slices-256", "slices-64",
+        "slices-21")
 
 
 def measure(use, detail, folder, seconds):
