@@ -93,6 +93,7 @@ def watch():
     FRAMES.clear()
     observe((simple.GetActiveView().SMProxy, "EndEvent",
              lambda *_: FRAMES.append(source.GetOutputDataObject(0).GetNumberOfElements(1))))
+    smtrace.stop_trace()  # of a previous drag, if it was not read
     smtrace.start_trace()
 
 
