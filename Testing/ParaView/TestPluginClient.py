@@ -136,21 +136,21 @@ USES = {
          + dragged("ContourValues", [8, 12, 16]), "newcomer_record.watched('Isosurfaces')", [True, False, True, 1])],
     "progressive tetrahedra": [
         (wavelet(50) + chosen("IntervalVolume") + values("Intervals", [100, 200]) + shell("newcomer_record.watch_images()")
-         + [APPLY] + PAUSE, "newcomer_record.refined()", [True, True, 0, True])],
+         + [APPLY] + PAUSE, "newcomer_record.refined()", [True, True, False, True])],
     "progressive slices": [
         (wavelet(100) + shell("Show()") + drawn_as("Shadowed Slices") + PAUSE
          + shell("newcomer_record.watch_images(moves_mouse=True)") + values("XFreq", 40) + shell("Render()") + 2 * PAUSE,
-         "newcomer_record.refined()", [True, True, 1, True]),
+         "newcomer_record.refined()", [True, True, True, True]),
         (shell(DISPLAY + ".Opacity = 0; Render(); newcomer_record.watch_images()")
          # The first and the last image have the same opacity.
          + slid(OPACITY, [30, 40, 50, 30]), "len(set(newcomer_record.IMAGES)) > 3", True),
-        (PAUSE, "newcomer_record.refined()", [True, True, 0, True]),
+        (PAUSE, "newcomer_record.refined()", [True, True, False, True]),
         (shell("newcomer_record.watch_images(); " + DISPLAY + ".Opacity = 0.5; Render(); "
-               "newcomer_record.take_screenshot()") + PAUSE, "newcomer_record.refined()", [True, True, 0, True]),
+               "newcomer_record.take_screenshot()") + PAUSE, "newcomer_record.refined()", [True, True, False, True]),
         ([], "newcomer_record.is_screenshot_complete()", True),
         # Nothing has changed, so the final image is shown again.
         (shell("Render()") + PAUSE + shell("newcomer_record.watch_images(); Render()"), "newcomer_record.refined()",
-         [False, True, 0, True])],
+         [False, True, False, True])],
     "drag before Apply": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + WATCH + dragged("Intervals", [8, 14])
          + [check(APPLY[0], "enabled", "true")], "newcomer_record.FRAMES", [])],

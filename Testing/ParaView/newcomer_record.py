@@ -170,13 +170,11 @@ def move_mouse():
 
 def watch_images(moves_mouse=False):
     """Starts recording the images that the active view shows, and which were aborted. With `moves_mouse`, the mouse
-    moves once during the first image that follows another one."""
+    moves during all images after the first one, until one is aborted."""
     view, window = simple.GetActiveView().SMProxy, simple.GetActiveView().GetRenderWindow()
-    moves = [moves_mouse]
 
     def check(*_):
-        if moves[0] and IMAGES:
-            moves[0] = False
+        if moves_mouse and IMAGES and not any(is_aborted for _, is_aborted in IMAGES):
             move_mouse()
 
     IMAGES.clear()
@@ -186,12 +184,12 @@ def watch_images(moves_mouse=False):
 
 def refined():
     """Returns facts about the images since watch_images(): whether the first one was coarse and the last one complete,
-    the number of aborted ones, and whether these did not change what the view shows."""
+    whether some were aborted, and whether these did not change what the view shows."""
     images = list(IMAGES)
     observe()
     aborted = [i for i, (_, is_aborted) in enumerate(images) if is_aborted]
     last = complete(drawn)
-    return [images[0][0] != last, images[-1][0] == last, len(aborted),
+    return [images[0][0] != last, images[-1][0] == last, bool(aborted),
             all(images[i][0] == images[i - 1][0] for i in aborted)]
 
 
