@@ -254,7 +254,7 @@ def applied(frames, name, **properties):
 
 def intervals(points):
     def use(frames):
-        shown(simple.AnalyticFieldSource(Field="Gyroid", NumberOfTimeSteps=1, WholeExtent=[0, points - 1] * 3))
+        shown(simple.AnalyticField(Field="Gyroid", NumberOfTimeSteps=1, WholeExtent=[0, points - 1] * 3))
         yield from applied(frames, "IntervalVolume", Intervals=[-0.6, 0.6])
         yield from rotated(frames)
         yield from dragged(frames, "slider", *slider_positions(widget_of("Intervals")))
@@ -263,7 +263,7 @@ def intervals(points):
 
 
 def selections(frames):
-    shown(simple.AnalyticFieldSource(Field="Gyroid", NumberOfTimeSteps=1, WholeExtent=[0, 71] * 3))
+    shown(simple.AnalyticField(Field="Gyroid", NumberOfTimeSteps=1, WholeExtent=[0, 71] * 3))
     yield from applied(frames, "IntervalVolume", Intervals=[-0.6, 0.6])
     yield from hovered(frames, "actionHoveringSurfaceCells")
     yield from hovered(frames, "actionHoveringSurfacePoints")
@@ -271,7 +271,7 @@ def selections(frames):
 
 
 def time_steps(frames):
-    shown(simple.AnalyticFieldSource(Field="Vortex", NumberOfTimeSteps=24, WholeExtent=[0, 63] * 3))
+    shown(simple.AnalyticField(Field="Vortex", NumberOfTimeSteps=24, WholeExtent=[0, 63] * 3))
     yield from applied(frames, "TimeVaryingIntervalVolume", Intervals=[0.07, 0.65], TimeStepRange=[0, 23],
                        TimeStepStride=1)
     yield from rotated(frames)
