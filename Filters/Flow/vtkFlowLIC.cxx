@@ -11,11 +11,12 @@
 #include "Convolution/ConvolutionKernel.h"
 #include "Convolution/FlowLICReport.h"
 #include "Convolution/LatticeNoise.h"
+#include "Convolution/SurfaceRefinement.h"
 #include "Fields/FieldDispatch.h"
 #include "Fields/FieldVectors.h"
 #include "Samples/OutputPiece.h"
 
-#include "vtkAdaptiveSubdivisionFilter.h"
+#include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
@@ -25,17 +26,17 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTriangle.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 vtkStandardNewMacro(vtkFlowLIC);
 
@@ -43,8 +44,17 @@ namespace
 {
 constexpr double MaximumSteps = 1e6;
 constexpr double RelativeMinimumSpeed = 1e-9;
-/// Edges of a refined surface are so long that about this number of triangles covers it.
-constexpr double MaximumTriangles = 2e6;
+/// Maximum number of triangles that refinement adds. Convolution at their points takes two to four
+/// seconds of processor time in curvilinear grids.
+constexpr vtkIdType MaximumTriangles = 40000;
+
+/// Returns the length of the diagonal of the bounds.
+double GetDiagonal(vtkDataSet* data)
+{
+  double box[6];
+  data->GetBounds(box);
+  return interlume::Vectors::SafeLength({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+}
 
 /// Returns the mean edge length of about a thousand evenly distributed cells; 0 without cells. The
 /// edges of a cell are those of a box with the same dimension and diagonal.
@@ -70,35 +80,67 @@ double EstimateSpacing(vtkDataSet* points)
   return counted > 0 ? sum / static_cast<double>(counted) : 0.0;
 }
 
-/// Returns the polygons of a surface as triangles with edges of at most \a length.
-vtkSmartPointer<vtkPolyData> Refine(vtkDataSet* surface, double length)
+/// Returns unit normals at the points of the polygons of a surface, or 0 at other points. The sign
+/// of a normal is arbitrary.
+std::vector<glm::dvec3> MakeNormals(vtkDataSet* points, bool isProjected)
 {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputDataObject(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  vtkPolyData* coarse = triangles->GetOutput();
-  double area = 0.0;
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType id = 0; id < coarse->GetNumberOfCells(); ++id)
+  std::vector<glm::dvec3> normals(
+    static_cast<std::size_t>(points->GetNumberOfPoints()), glm::dvec3(0.0));
+  auto* surface = vtkPolyData::SafeDownCast(points);
+  const vtkIdType number = surface && isProjected ? surface->GetNumberOfPolys() : 0;
+  for (vtkIdType cell = 0; cell < number; ++cell)
   {
-    coarse->GetCell(id, cell);
-    double corners[3][3];
-    for (int i = 0; i < 3; ++i)
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    surface->GetPolys()->GetCellAtId(cell, size, corners);
+    glm::dvec3 normal;
+    vtkPolygon::ComputeNormal(
+      surface->GetPoints(), static_cast<int>(size), corners, glm::value_ptr(normal));
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      cell->GetPoints()->GetPoint(i, corners[i]);
+      glm::dvec3& sum = normals[static_cast<std::size_t>(corners[i])];
+      sum += glm::dot(sum, normal) < 0.0 ? -normal : normal;
     }
-    area += vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]);
   }
-  vtkNew<vtkAdaptiveSubdivisionFilter> refined;
-  refined->SetInputData(coarse);
-  // A limit of the number or the area of triangles would leave holes or cracks.
-  refined->SetMaximumEdgeLength(std::max(length, 2.0 * std::sqrt(area / MaximumTriangles)));
-  refined->SetMaximumTriangleArea(VTK_DOUBLE_MAX);
-  refined->SetMaximumNumberOfTriangles(VTK_ID_MAX);
-  refined->Update();
-  return refined->GetOutput();
+  for (glm::dvec3& normal : normals)
+  {
+    const double length = glm::length(normal);
+    normal = length > 0.0 ? normal / length : glm::dvec3(0.0);
+  }
+  return normals;
+}
+
+/// Returns the value at \a x, with the lengths of \a report. Counts points in \a count.
+template <typename Walker>
+double ConvolveAt(const double x[3], const glm::dvec3& normal, interlume::ArcWalk<Walker>& walk,
+  const interlume::LatticeNoise& noise, const interlume::ConvolutionKernel& kernel,
+  const interlume::FlowLICReport& report, double contrast, interlume::FlowLICReport& count)
+{
+  if (!walk.Begin(x, normal))
+  {
+    ++count.PointsOutside;
+    return 0.0;
+  }
+  count.PointsAtRest += walk.CanAdvance() ? 0 : 1;
+  double sum = noise.Evaluate(x);
+  int reached[2] = { 0, 0 };
+  for (int side = 0; side < 2; ++side)
+  {
+    walk.Return();
+    const double step = side == 0 ? -report.StepLength : report.StepLength;
+    int& j = reached[side];
+    while (j < report.Steps && walk.Advance(step))
+    {
+      ++j;
+      sum += kernel.GetWeight(j) * noise.Evaluate(walk.GetPosition());
+    }
+  }
+  const bool isShort = std::min(reached[0], reached[1]) < report.Steps;
+  count.PointsWithShortLines += isShort && walk.CanAdvance() ? 1 : 0;
+  const double mean = sum / kernel.GetSum(reached[0], reached[1]);
+  const double stretched =
+    0.5 + contrast * (mean - 0.5) / kernel.GetDeviation(reached[0], reached[1]);
+  return std::clamp(stretched, 0.0, 1.0);
 }
 }
 
@@ -135,21 +177,8 @@ int vtkFlowLIC::RequestUpdateExtent(
   return 1;
 }
 
-interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points, interlume::FlowLICReport& report) const
+interlume::Error vtkFlowLIC::FindSteps(interlume::FlowLICReport& report) const
 {
-  report.NoiseScale = this->NoiseScale;
-  if (report.NoiseScale == 0.0)
-  {
-    double box[6];
-    points->GetBounds(box);
-    const double diagonal =
-      interlume::Vectors::SafeLength({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
-    report.NoiseScale = diagonal > 0.0 ? diagonal / 128.0 : 1.0;
-    if (!this->CanRefine(points))
-    {
-      report.NoiseScale = std::max(report.NoiseScale, 2.0 * EstimateSpacing(points));
-    }
-  }
   report.Length = this->Length > 0.0 ? this->Length : 10.0 * report.NoiseScale;
   const double step = this->StepLength > 0.0 ? this->StepLength : 0.25 * report.NoiseScale;
   // The factor keeps rounding from adding a step.
@@ -162,6 +191,26 @@ interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points, interlume::FlowLICRep
   report.Steps = static_cast<int>(steps);
   report.StepLength = report.Length / steps;
   return {};
+}
+
+void vtkFlowLIC::PreparePoints(
+  vtkDataSet* points, vtkDataSet* output, interlume::FlowLICReport& report) const
+{
+  const double diagonal = GetDiagonal(points);
+  const double automatic = diagonal > 0.0 ? diagonal / 128.0 : 1.0;
+  report.NoiseScale = this->NoiseScale > 0.0 ? this->NoiseScale : automatic;
+  if (!this->CanRefine(points))
+  {
+    report.NoiseScale = this->NoiseScale > 0.0 ? this->NoiseScale
+                                               : std::max(automatic, 2.0 * EstimateSpacing(points));
+    output->ShallowCopy(points);
+    return;
+  }
+  const interlume::SurfaceRefinement refinement(points);
+  const double length = refinement.FindLength(
+    std::max(0.5 * report.NoiseScale, std::numeric_limits<double>::min()), MaximumTriangles);
+  report.NoiseScale = this->NoiseScale > 0.0 ? this->NoiseScale : 2.0 * length;
+  output->ShallowCopy(refinement.Divide(length));
 }
 
 bool vtkFlowLIC::CanRefine(vtkDataSet* points) const
@@ -186,68 +235,72 @@ int vtkFlowLIC::RequestData(
   }
   interlume::CellArrayConversion conversion(this, 3);
   const interlume::CellArrayConversion::Selection selection = conversion.Select(field);
-  points = points == field ? selection.Data : points;
-  field = selection.Data;
   report.ConvertedCellArrays = conversion.GetNames();
   vtkDataArray* vectors = vtkDataArray::SafeDownCast(selection.Array);
+  interlume::FillValues fill;
   interlume::Error error =
     interlume::FieldVectors::CheckVectors(selection, this->GetInputArrayInformation(0));
-  error = error.Then([&] { return this->FindSteps(points, report); });
-  vtkSmartPointer<vtkPolyData> refined;
-  if (!error && this->CanRefine(points))
-  {
-    refined = Refine(points, 0.5 * report.NoiseScale);
-    points = refined;
-  }
-  output->ShallowCopy(points);
-  this->SetProgressText("Convolving noise along streamlines");
-  vtkNew<vtkFloatArray> values;
-  interlume::FillValues fill;
-  vtkIdType nonFinite = 0;
   if (!error)
   {
-    values->SetName("LIC");
-    values->SetNumberOfValues(points->GetNumberOfPoints());
-    error = interlume::FieldDispatch::Execute(
-      field, vectors, {},
-      [&](const auto& walker)
-      {
-        fill = walker.GetField().GetFillValues();
-        nonFinite = walker.GetField().GetNumberOfNonFiniteVectors();
-        this->Convolve(walker, points, values->GetPointer(0), report);
-      },
-      interlume::StageProgress(this, 0.0, interlume::FieldDispatch::BuildingPart));
+    this->PreparePoints(points == field ? selection.Data : points, output, report);
+    error = this->FindSteps(report).Then(
+      [&] { return this->ConvolveField(selection.Data, vectors, output, report, fill); });
   }
   if (error)
   {
     vtkErrorMacro(<< error);
   }
+  report.CopyTo(this->Report);
   if (error || this->GetAbortExecute())
   {
-    report.CopyTo(this->Report);
     output->Initialize();
     return this->GetAbortExecute() ? interlume::AbortCheck::Leave(outputs) : 1;
   }
+  if (interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
+  {
+    this->Warn(selection.Data, vectors->GetName(), fill, report);
+  }
+  return 1;
+}
+
+interlume::Error vtkFlowLIC::ConvolveField(vtkDataSet* field, vtkDataArray* vectors,
+  vtkDataSet* output, interlume::FlowLICReport& report, interlume::FillValues& fill)
+{
+  this->SetProgressText("Convolving noise along streamlines");
+  vtkNew<vtkFloatArray> values;
+  values->SetName("LIC");
+  values->SetNumberOfValues(output->GetNumberOfPoints());
+  const interlume::Error error = interlume::FieldDispatch::Execute(
+    field, vectors, {},
+    [&](const auto& walker)
+    {
+      fill = walker.GetField().GetFillValues();
+      report.NonFiniteVectors = walker.GetField().GetNumberOfNonFiniteVectors();
+      this->Convolve(walker, output, values->GetPointer(0), report);
+    },
+    interlume::StageProgress(this, 0.0, interlume::FieldDispatch::BuildingPart));
+  report.FillValues = fill.Number;
   // SetScalars would remove the previous active scalars.
   output->GetPointData()->AddArray(values);
   output->GetPointData()->SetActiveScalars(values->GetName());
-  const bool isEntireOutput =
-    interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0));
-  report.FillValues = fill.Number;
-  report.NonFiniteVectors = nonFinite;
-  report.CopyTo(this->Report);
-  if (fill.Number > 0 && isEntireOutput)
+  return error;
+}
+
+void vtkFlowLIC::Warn(vtkDataSet* field, const char* vectors, const interlume::FillValues& fill,
+  const interlume::FlowLICReport& report)
+{
+  if (fill.Number > 0)
   {
-    vtkWarningMacro(<< fill.Describe(vectors->GetName(),
+    vtkWarningMacro(<< fill.Describe(vectors,
                       "These vectors do not affect the minimum speed, but streamlines still follow "
                       "them."));
   }
-  if (nonFinite > 0 && isEntireOutput)
+  if (report.NonFiniteVectors > 0)
   {
-    vtkWarningMacro(<< interlume::DescribeNonFinite(
-                      nonFinite, vectors->GetName(), "Streamlines end at cells with such points."));
+    vtkWarningMacro(<< interlume::DescribeNonFinite(report.NonFiniteVectors, vectors,
+                      "Streamlines end at cells with such points."));
   }
-  if (report.PointsOutside == report.Points && isEntireOutput)
+  if (report.PointsOutside == report.Points)
   {
     double bounds[6];
     field->GetBounds(bounds);
@@ -256,7 +309,6 @@ int vtkFlowLIC::RequestData(
                            << bounds[3] << ", z " << bounds[4] << " to " << bounds[5]
                            << ". LIC is 0 at all of them. Pass points inside the field.");
   }
-  return 1;
 }
 
 template <typename Walker>
@@ -273,6 +325,7 @@ void vtkFlowLIC::Convolve(
   const interlume::ConvolutionKernel kernel(
     this->Kernel == HANN, report.Steps, report.StepLength, report.NoiseScale);
   const double contrast = this->Contrast;
+  const std::vector<glm::dvec3> normals = MakeNormals(points, this->ProjectVectors);
   vtkSMPThreadLocal<interlume::FlowLICReport> counts;
   double first[3];
   // Datasets may build internal data at the first call, so it must precede calls from several
@@ -283,38 +336,12 @@ void vtkFlowLIC::Convolve(
     [&](vtkIdType begin, vtkIdType end)
     {
       interlume::ArcWalk<Walker> walk(walker, minimumSpeed);
-      interlume::FlowLICReport& count = counts.Local();
       for (vtkIdType id = begin; id < end; ++id)
       {
         double x[3];
         points->GetPoint(id, x);
-        if (!walk.IsInside(x))
-        {
-          ++count.PointsOutside;
-          values[id] = 0.0f;
-          continue;
-        }
-        walk.Begin(x);
-        count.PointsAtRest += walk.CanAdvance() ? 0 : 1;
-        double sum = noise.Evaluate(x);
-        int reached[2] = { 0, 0 };
-        for (int side = 0; side < 2; ++side)
-        {
-          walk.Begin(x);
-          const double step = side == 0 ? -report.StepLength : report.StepLength;
-          int& j = reached[side];
-          while (j < report.Steps && walk.Advance(step))
-          {
-            ++j;
-            sum += kernel.GetWeight(j) * noise.Evaluate(walk.GetPosition());
-          }
-        }
-        const bool isShort = std::min(reached[0], reached[1]) < report.Steps;
-        count.PointsWithShortLines += isShort && walk.CanAdvance() ? 1 : 0;
-        const double mean = sum / kernel.GetSum(reached[0], reached[1]);
-        const double stretched =
-          0.5 + contrast * (mean - 0.5) / kernel.GetDeviation(reached[0], reached[1]);
-        values[id] = static_cast<float>(std::clamp(stretched, 0.0, 1.0));
+        values[id] = static_cast<float>(ConvolveAt(x, normals[static_cast<std::size_t>(id)], walk,
+          noise, kernel, report, contrast, counts.Local()));
       }
     });
   report.Points = points->GetNumberOfPoints();
@@ -332,8 +359,8 @@ void vtkFlowLIC::PrintSelf(ostream& os, vtkIndent indent)
   interlume::NamedValue::Print(os, indent,
     { { "Kernel", this->Kernel == HANN ? "Hann" : "box" }, { "Length", this->Length },
       { "NoiseScale", this->NoiseScale }, { "StepLength", this->StepLength },
-      { "RefineSurface", this->RefineSurface }, { "Seed", this->Seed },
-      { "Contrast", this->Contrast } });
+      { "RefineSurface", this->RefineSurface }, { "ProjectVectors", this->ProjectVectors },
+      { "Seed", this->Seed }, { "Contrast", this->Contrast } });
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());
 }

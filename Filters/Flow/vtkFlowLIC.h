@@ -13,6 +13,7 @@ namespace interlume
 {
 class Error;
 class MeshLinks;
+struct FillValues;
 struct FlowLICReport;
 }
 
@@ -93,8 +94,8 @@ public:
   ///@{
   /**
    * Spacing of the noise grid, in world units. 0 selects 1/128 of the diagonal of the bounds of
-   * port 0 or, if that is larger and RefineSurface is off or has no effect, twice the mean spacing
-   * of the points. Default: 0. Valid: 0 and above; clamped.
+   * port 0. If that is too fine, 0 selects twice the mean spacing of the points or, with
+   * RefineSurface, twice the longest edge. Default: 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(NoiseScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NoiseScale, double);
@@ -113,12 +114,23 @@ public:
   /**
    * If true, and the input of port 0 is a vtkPolyData with polygons or strips, these become
    * triangles with edges of at most half of NoiseScale, and the output is the refined surface
-   * without vertices and lines. Point arrays are interpolated. Edges are longer if there would be
-   * more than about two million triangles. Default: off.
+   * without vertices and lines. Point arrays are interpolated, cell arrays copied. Edges are longer
+   * if this would add more than about 40,000 triangles. Default: off.
    */
   vtkSetMacro(RefineSurface, bool);
   vtkGetMacro(RefineSurface, bool);
   vtkBooleanMacro(RefineSurface, bool);
+  ///@}
+
+  ///@{
+  /**
+   * If true, and the input of port 0 is a vtkPolyData with polygons, streamlines follow the
+   * component of the vectors in the tangent plane of the surface at their start. Otherwise, flow
+   * through the surface has no streaks on it. Default: off.
+   */
+  vtkSetMacro(ProjectVectors, bool);
+  vtkGetMacro(ProjectVectors, bool);
+  vtkBooleanMacro(ProjectVectors, bool);
   ///@}
 
   ///@{
@@ -165,20 +177,33 @@ private:
   vtkFlowLIC(const vtkFlowLIC&) = delete;
   void operator=(const vtkFlowLIC&) = delete;
 
-  /// Determines the lengths and the number of steps, and stores them in the report. Returns an
-  /// error if there are too many steps.
-  interlume::Error FindSteps(vtkDataSet* points, interlume::FlowLICReport& report) const;
+  /// Determines the length and the number of steps, and stores them in the report. Returns an error
+  /// if there are too many steps.
+  interlume::Error FindSteps(interlume::FlowLICReport& report) const;
+  /// Copies the points to the output, or refines the surface. Determines the noise scale.
+  void PreparePoints(
+    vtkDataSet* points, vtkDataSet* output, interlume::FlowLICReport& report) const;
   /// Returns true if RefineSurface is on and \a points is a surface.
   bool CanRefine(vtkDataSet* points) const;
+  ///@{
+  /// Add the array of values to the output. ConvolveField creates the field's walker for Convolve.
+  interlume::Error ConvolveField(vtkDataSet* field, vtkDataArray* vectors, vtkDataSet* output,
+    interlume::FlowLICReport& report, interlume::FillValues& fill);
   template <typename Walker>
   void Convolve(
     const Walker& walker, vtkDataSet* points, float* values, interlume::FlowLICReport& report);
+  ///@}
+  /// Warns about special vectors, and if all points are outside the field. \a vectors is the name
+  /// of the vectors.
+  void Warn(vtkDataSet* field, const char* vectors, const interlume::FillValues& fill,
+    const interlume::FlowLICReport& report);
 
   int Kernel = HANN;
   double Length = 0.0;
   double NoiseScale = 0.0;
   double StepLength = 0.0;
   bool RefineSurface = false;
+  bool ProjectVectors = false;
   int Seed = 0;
   double Contrast = 0.2;
   vtkNew<vtkInterlumeReport> Report;

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkInteractionWidgets import vtkImplicitPlaneRepresentation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from plugin_images import VIEW_SIZE, plain_view, snapshot
 from plugin_testing import data_path, fetch, run, warnings_of
 
 DATA = ("disk_out_ref.vtu", "post.vts", "bluntfin.vts", "AnalyticFlow")
@@ -187,12 +188,47 @@ def check_others(checks, name, source, volume):
     lic = simple.FlowLIC(Input=surface, Field=source)
     checks.equal(update(lic), "", f"{name}, LIC")
     checks.equal(scalars_of(lic), "LIC", f"{name}, scalars of LIC")
+    check_streaks(checks, name, lic)
     texture = simple.StreamSurfaceParameters(Input=simple.OutputPort(volume, 1))
     checks.that("GenerateStreamSurfaces" in update(texture), f"{name}, a missing stream surface causes a warning")
     volume.GenerateStreamSurfaces = True
     checks.equal(update(texture), "", f"{name}, texture")
     checks.that(fetch(texture).GetNumberOfCells() > 0, f"{name}, textured triangles")
     checks.equal(scalars_of(texture), "AdvectionTime", f"{name}, scalars of the texture")
+
+
+def check_streaks(checks, name, lic):
+    """Tests that the first image of a LIC is gray, has contrast, and has streaks: its structure tensor, averaged
+    over a neighborhood, has one large eigenvalue."""
+    view = plain_view()
+    display = simple.Show(lic, view)
+    display.Ambient, display.Diffuse = 1, 0  # ParaView's lights are tinted
+    bounds = numpy.reshape(lic.GetDataInformation().GetBounds(), (3, 2))
+    axis = int(numpy.argmin(bounds[:, 1] - bounds[:, 0]))
+    camera = view.GetActiveCamera()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*(numpy.arange(3) == axis).astype(float))
+    camera.SetViewUp(*(numpy.arange(3) == (axis + 1) % 3).astype(float))
+    simple.ResetCamera(view)
+    shot = snapshot(view)
+    checks.that(numpy.ptp(shot, axis=1).max() <= 1, f"{name}, LIC is gray")
+    values = shot[:, 0].reshape(VIEW_SIZE[1], VIEW_SIZE[0]).astype(float)
+    inside = values > 0
+    checks.that(values[inside].std() > 30, f"{name}, contrast of LIC: {values[inside].std()}")
+    rows, columns = numpy.gradient(values)
+
+    def blur(products):
+        products = numpy.where(inside, products, 0.0)
+        sums = products.cumsum(axis=0).cumsum(axis=1)
+        size = 9
+        return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
+
+    xx, yy, xy = blur(columns**2), blur(rows**2), blur(rows * columns)
+    full = blur(numpy.ones_like(values)) > 80
+    coherence = (numpy.hypot(xx - yy, 2 * xy) / (xx + yy + 1e-9))[full].mean()
+    print(f"{name}, coherence of LIC {coherence:.2f}", flush=True)
+    checks.that(coherence > 0.5, f"{name}, streaks of LIC: {coherence}")
+    simple.Delete(view)
 
 
 def check_empty(checks, mapping, volume):

@@ -49,7 +49,8 @@ LISTED = {
         "MeshPeriodicV": lambda field: interlume.vtkTerminationMesh().GetPeriodicV(), "CheckpointFileName": "",
         # First images in ParaView have no gaps that cuts can close.
         "RefinementLevels": lambda field: field.CUT_BOUNDARY, "HideUnreached": 1},
-    # Slices become fine enough for streaks.
+    # Slices become fine enough for streaks, and show those of flow across them.
+    "vtkFlowLIC": {"RefineSurface": 1, "ProjectVectors": 1},
     "vtkPVInflowMapping": {
         "Formula": lambda mapping: mapping.GetFormula(mapping.ALL), "ImageId": lambda mapping: mapping.ALL,
         "FormulasById": [], "Rings": lambda mapping: [] if mapping.GetNumberOfRings(mapping.ALL) == 0 else None},

@@ -106,6 +106,12 @@ public:
    * the cell.
    */
   bool FindCellCoordinates(const double x[3], bool fromSeveral, double p[3]) const;
+  /// The same, starting at p.
+  bool FindCellCoordinatesNear(const double x[3], double p[3]) const
+  {
+    const double start[3] = { p[0], p[1], p[2] };
+    return this->FindCellCoordinatesFrom(start, x, p);
+  }
 
   /// Returns the smallest distance to a face, in parametric coordinates. It is negative outside.
   double GetDistance(const double p[3]) const;

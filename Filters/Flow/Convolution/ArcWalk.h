@@ -27,22 +27,30 @@ class ArcWalk
 public:
   ArcWalk(const Walker& walker, double minimumSpeed)
     : Field(walker)
+    , Start(walker)
     , MinimumSpeed(minimumSpeed)
   {
   }
 
-  /// Returns whether \a x is inside the field.
-  bool IsInside(const double x[3])
+  /// Starts a streamline at \a x. The component of the velocity along \a normal, which is a unit
+  /// vector or 0, is ignored. Returns false if \a x is outside the field.
+  bool Begin(const double x[3], const glm::dvec3& normal)
   {
-    double p[3];
-    return this->Field.Locate(x, p);
+    this->Normal = normal;
+    const bool isInside = this->Start.Locate(x, this->StartPoint);
+    std::copy_n(x, 3, this->StartPosition);
+    this->HasDirection =
+      isInside && this->Evaluate(this->Start, this->StartPoint, this->StartDirection);
+    this->Return();
+    return isInside;
   }
-
-  /// Starts a streamline at \a x.
-  void Begin(const double x[3])
+  /// Returns to the start of the streamline.
+  void Return()
   {
-    std::copy_n(x, 3, this->Position);
-    this->HasDirection = this->GetDirection(x, this->Direction);
+    this->Field = this->Start;
+    std::copy_n(this->StartPoint, 3, this->Point);
+    std::copy_n(this->StartPosition, 3, this->Position);
+    std::copy_n(this->StartDirection, 3, this->Direction);
   }
   /// Returns whether the start is inside the field and its velocity is finite and large enough.
   bool CanAdvance() const { return this->HasDirection; }
@@ -96,19 +104,27 @@ public:
 private:
   bool CanContinue(const double x[3], double direction[3])
   {
-    return this->GetDirection(x, direction) && vtkMath::Dot(direction, this->Direction) >= 0.0;
+    return this->Field.LocateNearby(x, this->Point) &&
+      this->Evaluate(this->Field, this->Point, direction) &&
+      vtkMath::Dot(direction, this->Direction) >= 0.0;
   }
 
-  bool GetDirection(const double x[3], double direction[3])
+  /// Computes the direction of the velocity at \a p. Returns false if the velocity is too small or
+  /// not finite.
+  bool Evaluate(const Walker& field, const double p[3], double direction[3]) const
   {
-    double p[3];
-    if (!this->Field.Locate(x, p) || !this->Field.IsFinite())
+    if (!field.IsFinite())
     {
       return false;
     }
     double rate[3];
-    this->Field.GetVelocity(p, rate);
-    this->Field.GetWorldVector(p, rate, direction);
+    field.GetVelocity(p, rate);
+    field.GetWorldVector(p, rate, direction);
+    const double across = vtkMath::Dot(direction, glm::value_ptr(this->Normal));
+    for (int i = 0; i < 3; ++i)
+    {
+      direction[i] -= across * this->Normal[i];
+    }
     // Squares of very large or small speeds would overflow or underflow.
     const double speed = Vectors::SafeLength(glm::make_vec3(direction));
     if (!(speed > this->MinimumSpeed && std::isfinite(speed)))
@@ -123,7 +139,14 @@ private:
   }
 
   Walker Field;
+  Walker Start;
   double MinimumSpeed;
+  glm::dvec3 Normal{ 0.0 };
+  /// Coordinates in the cells of Start and Field.
+  double StartPoint[3] = { 0.0, 0.0, 0.0 };
+  double Point[3] = { 0.0, 0.0, 0.0 };
+  double StartPosition[3] = { 0.0, 0.0, 0.0 };
+  double StartDirection[3] = { 0.0, 0.0, 0.0 };
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Direction[3] = { 0.0, 0.0, 0.0 };
   bool HasDirection = false;

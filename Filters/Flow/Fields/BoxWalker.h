@@ -62,6 +62,7 @@ public:
     this->Enter();
     return true;
   }
+  bool LocateNearby(const double x[3], double p[3]) { return this->Locate(x, p); }
 
   vtkIdType GetCell() const { return this->Stand.Cell; }
   bool IsFinite() const { return this->HasFiniteVectors; }

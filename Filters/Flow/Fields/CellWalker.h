@@ -23,6 +23,8 @@ namespace interlume
  * - `bool Locate(const double x[3], double p[3])`: enters the cell that contains x and computes p,
  *   which is inside up to rounding error. Returns false if x is outside the field; the walker is
  *   then in no cell. A point on a face is always located in the same one of the two adjacent cells.
+ * - `bool LocateNearby(const double x[3], double p[3])`: like Locate(), but faster if x is close to
+ *   p in the current cell, which must exist. On a face, the cell depends on the current cell.
  * - `vtkIdType GetCell() const`: cell id.
  * - `bool IsHere() const`: false if another process must trace streamlines in the cell.
  * - `bool IsFinite() const`: whether all vectors of the cell are finite.

@@ -52,6 +52,22 @@ public:
     return true;
   }
 
+  bool LocateNearby(const double x[3], double p[3])
+  {
+    constexpr int maximumCrossings = 3;
+    bool canCross = true;
+    for (int i = 0; canCross && this->Cell.FindCellCoordinatesNear(x, p); ++i)
+    {
+      const int face = this->GetNearestFace(p);
+      if (this->GetFaceDistance(face, p) >= 0.0)
+      {
+        return true;
+      }
+      canCross = i < maximumCrossings && this->Cross(face, p);
+    }
+    return this->Locate(x, p);
+  }
+
   /// Finds the cell that Locate() would enter, among the cells in this process. Call GoTo() to
   /// enter the cell; until then, the walker is in no cell.
   bool Search(const double x[3], CellSearchResult& found)
@@ -190,6 +206,17 @@ protected:
     found.Outside = std::max(smallestOutside, 0.0);
     found.Cell = best.Cell;
     return true;
+  }
+
+  // Returns the face that is closest to p or, if p is outside the cell, behind which p is farthest.
+  int GetNearestFace(const double p[3]) const
+  {
+    int nearest = 0;
+    for (int face = 1; face < this->GetNumberOfFaces(); ++face)
+    {
+      nearest = this->GetFaceDistance(face, p) < this->GetFaceDistance(nearest, p) ? face : nearest;
+    }
+    return nearest;
   }
 
   // Returns how far outside the cell rounding errors may move p, in local coordinates.

@@ -13,6 +13,7 @@
 
 #include "vtkFlowLIC.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -29,6 +30,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -530,26 +532,17 @@ void TestDefaults(Check& check)
   check.Near(coarse->GetReport()->GetNumber("NoiseScale"), 2.0, 1e-12, "scale");
 }
 
-/// Tests the length of edges, the area and the attributes of a refined surface, and that without
-/// surfaces nothing is refined.
-void TestRefinement(Check& check)
+vtkPolyData* GetSurface(vtkFlowLIC* filter)
 {
-  check.SetContext("refined surface: ");
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-2.0, -1.5, 0.5);
-  plane->SetPoint1(2.0, -1.5, 0.5);
-  plane->SetPoint2(-2.0, 1.5, 0.5);
-  plane->SetXResolution(2);
-  vtkNew<vtkFlowLIC> filter;
-  filter->SetInputConnection(plane->GetOutputPort());
-  filter->SetFieldData(MakeImage(5, Uniform));
-  filter->RefineSurfaceOn();
-  check.That(UpdateAndGetErrors(filter).empty(), "no messages");
-  auto* surface = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  const double scale = filter->GetReport()->GetNumber("NoiseScale");
-  check.Near(scale, 5.0 / 128.0, 1e-12, "scale");
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+/// Tests the lengths of edges, the area, and that each inner edge belongs to two triangles.
+void CheckTriangles(vtkPolyData* surface, double length, double expectedArea, Check& check)
+{
   double area = 0.0;
   double longest = 0.0;
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
   for (vtkIdType id = 0; id < surface->GetNumberOfCells(); ++id)
   {
     vtkCell* triangle = surface->GetCell(id);
@@ -557,10 +550,62 @@ void TestRefinement(Check& check)
     for (int edge = 0; edge < 3; ++edge)
     {
       longest = std::max(longest, std::sqrt(triangle->GetEdge(edge)->GetLength2()));
+      const vtkIdType a = triangle->GetPointId(edge);
+      const vtkIdType b = triangle->GetPointId((edge + 1) % 3);
+      ++edges[{ std::min(a, b), std::max(a, b) }];
     }
   }
-  check.Near(area, 12.0, 1e-4, "area");
-  check.That(longest <= 0.5 * scale * (1.0 + 1e-6), "edges");
+  check.Near(area, expectedArea, 1e-4, "area");
+  check.That(longest <= length * (1.0 + 1e-6), "edges");
+  const auto isInside = [surface](vtkIdType id)
+  {
+    double x[3];
+    surface->GetPoint(id, x);
+    return std::abs(x[0]) < 1.999 && std::abs(x[1]) < 1.499;
+  };
+  const auto open = std::count_if(edges.begin(), edges.end(),
+    [&](const auto& edge)
+    { return edge.second != 2 && isInside(edge.first.first) && isInside(edge.first.second); });
+  check.Equal(static_cast<long long>(open), 0, "inner edges without two triangles");
+}
+
+/// Tests refined surfaces and their attributes, the limit of triangles, and that without surfaces
+/// nothing is refined.
+void TestRefinement(Check& check)
+{
+  check.SetContext("refined surface: ");
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-2.0, -1.5, 0.5);
+  plane->SetPoint1(2.0, -1.5, 0.5);
+  plane->SetPoint2(-2.0, 1.5, 0.5);
+  plane->SetResolution(7, 2);
+  plane->Update();
+  vtkNew<vtkPolyData> input;
+  input->ShallowCopy(plane->GetOutput());
+  vtkNew<vtkDoubleArray> rows;
+  rows->SetName("cell");
+  for (vtkIdType id = 0; id < input->GetNumberOfCells(); ++id)
+  {
+    rows->InsertNextValue(static_cast<double>(id));
+  }
+  input->GetCellData()->AddArray(rows);
+  vtkNew<vtkFlowLIC> filter;
+  filter->SetInputData(input);
+  filter->SetFieldData(MakeImage(5, Uniform));
+  filter->RefineSurfaceOn();
+  filter->SetNoiseScale(0.2);
+  check.That(UpdateAndGetErrors(filter).empty(), "no messages");
+  check.Near(filter->GetReport()->GetNumber("NoiseScale"), 0.2, 1e-12, "scale");
+  vtkPolyData* surface = GetSurface(filter);
+  CheckTriangles(surface, 0.1, 12.0, check);
+  for (vtkIdType id = 0; id < surface->GetNumberOfCells(); id += 10)
+  {
+    double box[6];
+    surface->GetCellBounds(id, box);
+    const double column = std::floor((0.5 * (box[0] + box[1]) + 2.0) / (4.0 / 7.0));
+    check.Near(surface->GetCellData()->GetArray("cell")->GetComponent(id, 0),
+      column + (box[2] + box[3] > 0.0 ? 7.0 : 0.0), 0.0, "copied cell array");
+  }
   for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); id += 100)
   {
     double x[3];
@@ -568,9 +613,53 @@ void TestRefinement(Check& check)
     const double u = surface->GetPointData()->GetTCoords()->GetComponent(id, 0);
     check.Near(u, 0.25 * (x[0] + 2.0), 1e-5, "interpolated texture coordinate", 1.0);
   }
+  check.SetContext("limit of triangles: ");
+  for (const double scale : { 0.0, 1e-9, 1e-300 })
+  {
+    filter->SetNoiseScale(scale);
+    filter->SetLength(scale);
+    check.That(UpdateAndGetErrors(filter).empty(), "no messages");
+    const double used = filter->GetReport()->GetNumber("NoiseScale");
+    check.That(scale > 0.0 ? used == scale : used > 5.0 / 128.0, "scale");
+    const vtkIdType triangles = GetSurface(filter)->GetNumberOfCells();
+    check.That(triangles > 10000 && triangles < 60000, std::to_string(triangles));
+    CheckTriangles(GetSurface(filter), scale > 0.0 ? 1.0 : 0.5 * used, 12.0, check);
+  }
   filter->SetInputData(MakePoints(MakePositions(20, 2.0)));
   check.That(UpdateAndGetErrors(filter).empty(), "no messages without polygons");
   check.Equal(filter->GetOutput()->GetNumberOfPoints(), 20, "points");
+}
+
+/// The same streaks appear with and without a component of the flow across the surface, if it is
+/// projected.
+void TestProjection(Check& check)
+{
+  check.SetContext("projection: ");
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-1.0, -1.0, 0.5);
+  plane->SetPoint1(1.0, -1.0, 0.5);
+  plane->SetPoint2(-1.0, 1.0, 0.5);
+  plane->SetResolution(9, 9);
+  const Setting setting;
+  const vtkSmartPointer<vtkFlowLIC> along = MakeFilter(setting);
+  along->SetInputConnection(plane->GetOutputPort());
+  along->SetFieldData(MakeImage(5, [](const Vector&) { return Vector{ { 0.6, -1.2, 0.0 } }; }));
+  along->Update();
+  const vtkSmartPointer<vtkFlowLIC> across = MakeFilter(setting);
+  across->SetInputConnection(plane->GetOutputPort());
+  across->SetFieldData(MakeImage(5, [](const Vector&) { return Vector{ { 0.6, -1.2, 5.0 } }; }));
+  for (const bool isProjected : { false, true })
+  {
+    across->SetProjectVectors(isProjected);
+    across->Update();
+    double largest = 0.0;
+    for (vtkIdType id = 0; id < 100; ++id)
+    {
+      largest = std::max(largest, std::abs(GetValue(across, id) - GetValue(along, id)));
+    }
+    check.That(
+      isProjected ? largest < 1e-5 : largest > 0.2, "difference " + std::to_string(largest));
+  }
 }
 
 void TestThreads(Check& check)
@@ -678,6 +767,7 @@ int TestFlowLIC(int, char*[])
   TestDatasets(check);
   TestDefaults(check);
   TestRefinement(check);
+  TestProjection(check);
   TestThreads(check);
   TestErrors(check);
   TestProgress(check);

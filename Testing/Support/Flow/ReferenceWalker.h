@@ -98,8 +98,9 @@ inline double GetExtent(vtkDataSet* data)
 }
 
 /// Compares cell id, position, velocity and gradient at random points of every cell with those of
-/// VTK's cell classes. Set \a hasGradient to false where VTK's gradient is not usable: in tiny
-/// cells, and in voxels of an image with a direction matrix.
+/// VTK's cell classes. The points are also located from the cell of the point before. Set \a
+/// hasGradient to false where VTK's gradient is not usable: in tiny cells, and in voxels of an
+/// image with a direction matrix.
 template <typename Walker>
 void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int samples,
   double tolerance, Check& check, bool hasGradient = true)
@@ -111,6 +112,8 @@ void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int 
   double gradient = 0.0;
   int misplaced = 0;
   int notFound = 0;
+  Walker second = walker;
+  bool isInCell = false;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     for (int i = 0; i < samples; ++i)
@@ -122,6 +125,11 @@ void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int 
         ++notFound;
         continue;
       }
+      Vector q = p;
+      isInCell = isInCell ? second.LocateNearby(sample.Position.data(), q.data())
+                          : second.Locate(sample.Position.data(), q.data());
+      KeepLargest(position, GetDifference(PositionOf(second, q), sample.Position, extent));
+      misplaced += !isInCell || second.GetCell() != cell;
       misplaced += walker.GetCell() != cell || !IsInside(walker, p) || !walker.IsFinite();
       KeepLargest(position, GetDifference(PositionOf(walker, p), sample.Position, extent));
       KeepLargest(velocity, GetDifference(VelocityOf(walker, p), sample.Velocity, 1.0));
