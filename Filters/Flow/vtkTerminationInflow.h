@@ -17,8 +17,10 @@
  * streamlines, it lies near the place where the flow leaves the field instead, so that streamlines
  * end on it.
  *
- * The parameters u and v run along the next two axes in cyclic order: y and z for a normal along x.
- * The normal points along the positive axis, regardless of the flow direction.
+ * The parameter u runs along x or, if the flow is along x, along y. Bands of u are therefore side
+ * by side when seen along z, as by ParaView's initial camera. The parameter v runs along the third
+ * axis, against z if the flow is along y. The normal points along the positive axis, regardless of
+ * the flow direction.
  *
  * vtkImplicitFlowField calls InitializeFromField, which sets Origin, Point1 and Point2, or returns
  * an error if the field has no flow.

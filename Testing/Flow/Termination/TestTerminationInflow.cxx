@@ -41,9 +41,12 @@ void CheckRectangle(vtkTerminationInflow* surface, int axis, double position, co
   }
   const double* origin = surface->GetOrigin();
   const double* point1 = surface->GetPoint1();
-  const int next = (axis + 1) % 3;
+  const int alongU = axis == 0 ? 1 : 0;
   check.Near(
-    point1[next] - origin[next], high[next] - low[next], 1e-9, "u along the next axis", 1.0);
+    point1[alongU] - origin[alongU], high[alongU] - low[alongU], 1e-9, "u along x or y", 1.0);
+  double normal[3];
+  surface->EvaluateNormal(origin, normal);
+  check.Near(normal[axis], 1.0, 1e-9, "normal along the positive axis", 1.0);
 }
 
 /// Uniform flow along each axis, in both directions.
