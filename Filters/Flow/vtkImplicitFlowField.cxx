@@ -44,6 +44,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -74,6 +75,27 @@ void Publish(
 {
   report.CopyTo(values);
   interlume::ReportValue::Add(values, { { "InitialStatuses", initial } });
+}
+
+/// Returns what to do if few samples reached a surface, or an empty string.
+std::string GetAdvice(const StatusCounts& counts)
+{
+  constexpr double few = 0.1;
+  const vtkIdType inside =
+    std::accumulate(counts.begin(), counts.end(), vtkIdType(0)) - counts[vtkFlowStatus::OUTSIDE];
+  const vtkIdType reached = counts[vtkFlowStatus::REACHED_SURFACE];
+  const vtkIdType left = counts[vtkFlowStatus::LEFT_DOMAIN];
+  if (static_cast<double>(reached) >= few * static_cast<double>(inside))
+  {
+    return {};
+  }
+  return left > inside - reached - left
+    ? " Most streamlines leave the field elsewhere: turn on Domain Faces, or move the surface."
+    : " Most streamlines end inside the field, as in a field of gradients: turn on Domain Faces, "
+      "place "
+      "a surface, such as a sphere, around the region where they end, or smooth the data from "
+      "which "
+      "the vectors were computed.";
 }
 
 /// Returns true for image data, and rectilinear or structured grids.
@@ -211,22 +233,21 @@ const char* vtkImplicitFlowField::GetCheckpointFileName() const
 
 const char* vtkImplicitFlowField::GetSummary()
 {
-  const auto count = [this](int status)
-  { return this->Report->GetCount("InitialStatuses", status); };
-  vtkIdType all = 0;
-  for (int status = 0; status < vtkFlowStatus::NUMBER_OF_VALUES; ++status)
+  StatusCounts counts;
+  for (std::size_t status = 0; status < counts.size(); ++status)
   {
-    all += count(status);
+    counts[status] = this->Report->GetCount("InitialStatuses", static_cast<int>(status));
   }
+  const vtkIdType all = std::accumulate(counts.begin(), counts.end(), vtkIdType(0));
   std::ostringstream text;
   if (all > 0)
   {
     text.precision(3);
     const auto percent = [all](vtkIdType number) { return 100.0 * number / all; };
-    const vtkIdType reached = count(vtkFlowStatus::REACHED_SURFACE);
-    const vtkIdType left = count(vtkFlowStatus::LEFT_DOMAIN);
-    const vtkIdType stagnated = count(vtkFlowStatus::STAGNATED);
-    const vtkIdType outside = count(vtkFlowStatus::OUTSIDE);
+    const vtkIdType reached = counts[vtkFlowStatus::REACHED_SURFACE];
+    const vtkIdType left = counts[vtkFlowStatus::LEFT_DOMAIN];
+    const vtkIdType stagnated = counts[vtkFlowStatus::STAGNATED];
+    const vtkIdType outside = counts[vtkFlowStatus::OUTSIDE];
     text << "Of " << all << " samples, " << percent(reached) << " % reached a surface, "
          << percent(left) << " % left the field, " << percent(stagnated) << " % stagnated, "
          << percent(all - reached - left - stagnated - outside) << " % ended otherwise";
@@ -235,6 +256,7 @@ const char* vtkImplicitFlowField::GetSummary()
     {
       text << percent(outside) << " % are outside the field.";
     }
+    text << GetAdvice(counts);
   }
   this->Summary = text.str();
   return this->Summary.c_str();
