@@ -189,11 +189,11 @@ private:
     return isOne && isOtherThere && id >= 0;
   }
 
-  void AddPair(int first, int second, std::vector<FarSideCorners::Pair>& pairs) const
+  void AddPair(int first, int second, bool isEdge, std::vector<FarSideCorners::Pair>& pairs) const
   {
-    pairs.push_back(this->IsReached(first)
-        ? FarSideCorners::Pair{ this->Ids[first], this->Ids[second] }
-        : FarSideCorners::Pair{ this->Ids[second], this->Ids[first] });
+    const bool isReached = this->IsReached(first);
+    pairs.push_back(
+      { this->Ids[isReached ? first : second], this->Ids[isReached ? second : first], isEdge });
   }
 
   void AddPairs(int type, std::vector<FarSideCorners::Pair>& pairs) const
@@ -216,14 +216,14 @@ private:
       if (this->IsReached(first) != this->IsReached(second))
       {
         hasPair[first] = hasPair[second] = true;
-        this->AddPair(first, second, pairs);
+        this->AddPair(first, second, true, pairs);
       }
     }
     for (int i = 0; i < this->Number; ++i)
     {
       if (!hasPair[i])
       {
-        this->AddPair(i, this->FindNearestOther(i), pairs);
+        this->AddPair(i, this->FindNearestOther(i), false, pairs);
       }
     }
   }
@@ -265,17 +265,37 @@ bool IsBefore(const FarSideCorners::Corner& a, const FarSideCorners::Corner& b)
     std::make_tuple(b.Sample, std::abs(b.Distance), b.Surface);
 }
 
-// Sorts pairs and removes duplicates.
+// Sorts pairs and removes duplicates. An edge precedes an equal pair that is not one.
 void RemoveDuplicates(std::vector<FarSideCorners::Pair>& pairs)
 {
   using Pair = FarSideCorners::Pair;
-  const auto get = [](const Pair& pair) { return std::make_pair(pair.Reached, pair.Other); };
-  std::sort(
-    pairs.begin(), pairs.end(), [&get](const Pair& a, const Pair& b) { return get(a) < get(b); });
-  pairs.erase(std::unique(pairs.begin(), pairs.end(),
-                [&get](const Pair& a, const Pair& b) { return get(a) == get(b); }),
+  std::sort(pairs.begin(), pairs.end(),
+    [](const Pair& a, const Pair& b)
+    { return std::tie(a.Reached, a.Other, b.IsEdge) < std::tie(b.Reached, b.Other, a.IsEdge); });
+  pairs.erase(
+    std::unique(pairs.begin(), pairs.end(),
+      [](const Pair& a, const Pair& b) { return a.Reached == b.Reached && a.Other == b.Other; }),
     pairs.end());
 }
+}
+
+void FarSideCorners::RemoveRedundant(std::vector<Pair>& pairs)
+{
+  std::vector<vtkIdType> ends;
+  for (const Pair& pair : pairs)
+  {
+    if (pair.IsEdge)
+    {
+      ends.insert(ends.end(), { pair.Reached, pair.Other });
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  const auto isEnd = [&ends](vtkIdType sample)
+  { return std::binary_search(ends.begin(), ends.end(), sample); };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                [&isEnd](const Pair& pair)
+                { return !pair.IsEdge && isEnd(pair.Reached) && isEnd(pair.Other); }),
+    pairs.end());
 }
 
 std::vector<FarSideCorners::Corner> FarSideCorners::Find(vtkDataSet* samples,

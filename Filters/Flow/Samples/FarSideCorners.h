@@ -46,6 +46,7 @@ public:
   {
     vtkIdType Reached = -1;
     vtkIdType Other = -1;
+    bool IsEdge = true;
   };
 
   /// Finds the corners, each with its nearest surface, in ascending order of samples and without
@@ -55,6 +56,9 @@ public:
   /// corner that can complete a pair.
   static std::vector<Corner> Find(vtkDataSet* samples, const ImplicitFlowArrays& arrays,
     const AdvectionOptions& options, std::vector<Pair>* pairs = nullptr);
+
+  /// Removes pairs that are not edges if both samples are also in pairs that are.
+  static void RemoveRedundant(std::vector<Pair>& pairs);
 };
 
 }

@@ -87,6 +87,10 @@ bool FarSideStage::Run(StageContext& context, vtkDataSet* samples, bool findsBou
   {
     corners =
       FarSideCorners::Find(samples, known, context.Options, findsBoundary ? &pairs : nullptr);
+    if (context.Boundary.PrefersEdges)
+    {
+      FarSideCorners::RemoveRedundant(pairs);
+    }
   }
   FarSideTracer tracer(context, samples);
   std::vector<FarSideTracer::SampleResult> sampleResults;

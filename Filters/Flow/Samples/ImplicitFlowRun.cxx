@@ -44,6 +44,10 @@ constexpr double AutomaticError = 1e-6;
 constexpr double AutomaticSpeed = 1e-9;
 /// Number of bisection steps that locate the boundary of the reached region without obstacles.
 constexpr int PreviewBisections = 3;
+/// Maximum number of steps of their streamlines: a minimum, and a multiple of the mean of the
+/// samples that reach a surface.
+constexpr int MinimumPreviewSteps = 20;
+constexpr double PreviewSteps = 2.0;
 
 int GetAutomaticSteps(vtkIdType cells)
 {
@@ -209,42 +213,54 @@ void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, i
   SampleIntegration integration(context, samples);
   bool isActive = integration.Run(samples, 0, 0);
   this->InitialStatuses = this->Report.Statuses;
-  const bool isRefined = this->Options.RefinementLevels > 0;
+  if (!this->HasObstacles)
+  {
+    context.Boundary = { PreviewBisections, this->GetPreviewSteps(), true };
+  }
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  if (isActive && isRefined)
+  if (isActive && this->Options.RefinementLevels > 0)
   {
     grid = CellRefinement::MakeGrid(samples);
+    isActive = this->Refine(context, integration, grid);
     samples = grid;
   }
+  isActive = isActive &&
+    FarSideStage::Run(context, samples, this->HasObstacles || this->LocatesBoundary) &&
+    (grid || SamplingCheck::Run(context, samples));
+  this->Refined = isActive ? grid : nullptr;
+  this->Aborted = !isActive;
+}
+
+int ImplicitFlowRun::GetPreviewSteps()
+{
+  const auto reached = vtkFlowStatus::REACHED_SURFACE;
+  std::vector<vtkIdType> sums{ this->Report.StepsToSurfaces, this->Report.Statuses[reached] };
+  if (this->Ranks)
+  {
+    this->Ranks->GetExchange().ReduceSum(sums);
+  }
+  const double mean = static_cast<double>(sums[0]) / std::max<vtkIdType>(sums[1], 1);
+  return static_cast<int>(std::min<double>(MinimumPreviewSteps + PreviewSteps * mean, VTK_INT_MAX));
+}
+
+bool ImplicitFlowRun::Refine(
+  StageContext& context, SampleIntegration& integration, vtkSmartPointer<vtkUnstructuredGrid>& grid)
+{
+  bool isActive = true;
   for (int level = 1; isActive && level <= this->Options.RefinementLevels; ++level)
   {
     isActive = FarSideStage::Run(context, grid, false);
     if (isActive)
     {
+      const CellRefinement::Result refined = CellRefinement::Refine(grid);
       const vtkIdType before = grid->GetNumberOfPoints();
-      grid = this->Refine(grid);
-      samples = grid;
+      this->Report.RefinedCells.push_back(refined.MixedCells);
+      this->Report.AddedSamples.push_back(refined.Grid->GetNumberOfPoints() - before);
+      grid = refined.Grid;
       isActive = integration.Run(grid, before, level);
     }
   }
-  if (!this->HasObstacles)
-  {
-    context.Bisections = PreviewBisections;
-  }
-  isActive = isActive &&
-    FarSideStage::Run(context, samples, this->HasObstacles || this->LocatesBoundary) &&
-    (isRefined || SamplingCheck::Run(context, samples));
-  this->Refined = isActive ? grid : nullptr;
-  this->Aborted = !isActive;
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> ImplicitFlowRun::Refine(vtkUnstructuredGrid* grid)
-{
-  const CellRefinement::Result refined = CellRefinement::Refine(grid);
-  this->Report.RefinedCells.push_back(refined.MixedCells);
-  this->Report.AddedSamples.push_back(
-    refined.Grid->GetNumberOfPoints() - grid->GetNumberOfPoints());
-  return refined.Grid;
+  return isActive;
 }
 
 template <typename FieldType>

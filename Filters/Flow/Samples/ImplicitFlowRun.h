@@ -24,7 +24,9 @@ namespace interlume
 class FlowCheckpoint;
 class MeshLinks;
 class DistributedField;
+class SampleIntegration;
 class Streamlines;
+struct StageContext;
 
 /**
  * @class   ImplicitFlowRun
@@ -94,7 +96,12 @@ private:
   void RunStagesWithCheckpoint(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
   /// Runs the stages of StageContext in order.
   void RunStages(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
-  vtkSmartPointer<vtkUnstructuredGrid> Refine(vtkUnstructuredGrid* grid);
+  /// Returns the maximum number of steps to locate the boundary without obstacles. It is the same
+  /// in all processes.
+  int GetPreviewSteps();
+  /// Refines the samples by all levels. Returns false if the execution was aborted.
+  bool Refine(StageContext& context, SampleIntegration& integration,
+    vtkSmartPointer<vtkUnstructuredGrid>& grid);
   /// Sets the values of the report that describe the field.
   template <typename FieldType>
   void Describe(const FieldType& field);

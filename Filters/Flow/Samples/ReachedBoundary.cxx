@@ -101,11 +101,14 @@ double ReachedBoundary::GetPosition(
 
 bool ReachedBoundary::Bisect(const SampleResults& sampleResults)
 {
+  AdvectionOptions options = this->Context.Options;
+  options.MaximumNumberOfSteps =
+    std::min(options.MaximumNumberOfSteps, this->Context.Boundary.MaximumSteps);
   bool isActive = true;
-  for (int i = 0; i < this->Context.Bisections && isActive; ++i)
+  for (int i = 0; i < this->Context.Boundary.Bisections && isActive; ++i)
   {
     isActive = this->Context.Field.Follow(
-      this->Context.Options, static_cast<vtkIdType>(this->Lines.size()),
+      options, static_cast<vtkIdType>(this->Lines.size()),
       [&](vtkIdType number, double x[3])
       {
         const Line& line = this->Lines[static_cast<std::size_t>(number)];

@@ -27,8 +27,17 @@ struct StageContext
   double FieldLength;
   /// Progress of the execution at the end of the last completed stage.
   double Progress;
-  /// Number of bisection steps that locate the boundary of the reached region between two samples.
-  int Bisections = 6;
+  /// Search for the boundary of the reached region between two samples.
+  struct BoundarySearch
+  {
+    int Bisections = 6;
+    /// Maximum number of steps of each streamline. A longer one counts as not reached.
+    int MaximumSteps = VTK_INT_MAX;
+    /// If true, pairs of samples that are not on an edge are skipped if edges of other cells
+    /// determine their distances from the boundary.
+    bool PrefersEdges = false;
+  };
+  BoundarySearch Boundary;
 };
 
 }
