@@ -135,11 +135,13 @@ USES = {
         (wavelet(10) + chosen("IsotableContour") + values("Isosurfaces", [38.0]) + [APPLY] + WATCH
          + dragged("ContourValues", [8, 12, 16]), "newcomer_record.watched('Isosurfaces')", [True, False, True, 1])],
     "progressive tetrahedra": [
-        (wavelet(50) + chosen("IntervalVolume") + values("Intervals", [100, 200]) + shell("newcomer_record.watch_images()")
-         + [APPLY] + PAUSE, "newcomer_record.refined()", [True, True, False, True])],
+        (wavelet(50) + chosen("IntervalVolume") + values("Intervals", [100, 200])
+         + shell("newcomer_record.watch_images()") + [APPLY] + PAUSE,
+         "newcomer_record.refined()", [True, True, False, True])],
     "progressive slices": [
         (wavelet(100) + shell("Show()") + drawn_as("Shadowed Slices") + PAUSE
-         + shell("newcomer_record.watch_images(moves_mouse=True)") + values("XFreq", 40) + shell("Render()") + 2 * PAUSE,
+         + shell("newcomer_record.watch_images(moves_mouse=True)") + values("XFreq", 40) + shell("Render()")
+         + 2 * PAUSE,
          "newcomer_record.refined()", [True, True, True, True]),
         (shell(DISPLAY + ".Opacity = 0; Render(); newcomer_record.watch_images()")
          # The first and the last image have the same opacity.
