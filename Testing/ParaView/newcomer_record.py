@@ -197,7 +197,7 @@ SELECTED = []
 
 
 def selected(source, array):
-    """Returns the values of a cell array in the selected cells of a source, with the composite indices of the blocks."""
+    """Returns the values of a cell array in the selected cells of a source, with the composite indices of blocks."""
     proxy = source.SMProxy
     if not proxy.GetSelectionInput(0):
         return []
