@@ -310,8 +310,8 @@ public:
    * surface is located by bisection, as behind hidden cells, and vtkFlowVolume cuts cells there.
    * The output type is the same as for 0.
    *
-   * Each piece of the samples is refined, and its boundary located, separately. Cells do not conform
-   * at piece boundaries unless the samples have one layer of ghost cells per level.
+   * Each piece of the samples is refined, and its boundary located, separately. Cells do not
+   * conform at piece boundaries unless the samples have one layer of ghost cells per level.
    */
   vtkSetClampMacro(RefinementLevels, int, CUT_BOUNDARY, 6);
   vtkGetMacro(RefinementLevels, int);

@@ -34,9 +34,11 @@ with tempfile.TemporaryDirectory() as name:
         split_report(path, data)
     results = Results(data)
     errors = []
-    # The suites graphics-card and client do not exist here. The other suites belong to programs that are not always built.
-    optional = {"client", "graphics-card"} | {suite for suite, file in (("scene-costs", "costs.json"), ("ranks", "ranks.json"))
-                               if file not in {path.name for path in measured}}
+    # The suites graphics-card and client do not exist here. The other suites belong to programs that are not always
+    # built.
+    optional = {"client", "graphics-card"} | {
+        suite for suite, file in (("scene-costs", "costs.json"), ("ranks", "ranks.json"))
+        if file not in {path.name for path in measured}}
     for name, table in TABLES.items():
         runs = results.of(table["suite"])
         if not runs and table["suite"] not in optional:
