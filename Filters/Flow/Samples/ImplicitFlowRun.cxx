@@ -44,10 +44,10 @@ constexpr double AutomaticError = 1e-6;
 constexpr double AutomaticSpeed = 1e-9;
 /// Number of bisection steps that locate the boundary of the reached region without obstacles.
 constexpr int PreviewBisections = 3;
-/// Maximum number of steps of their streamlines: a minimum, and a multiple of the mean of the
-/// samples that reach a surface.
+/// Their streamlines may have this fraction of MaximumNumberOfSteps, since most of those that need
+/// more never reach a surface. It does not depend on the samples, so that all pieces are equal.
+constexpr int PreviewStepsDivisor = 16;
 constexpr int MinimumPreviewSteps = 20;
-constexpr double PreviewSteps = 2.0;
 
 int GetAutomaticSteps(vtkIdType cells)
 {
@@ -215,7 +215,8 @@ void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, i
   this->InitialStatuses = this->Report.Statuses;
   if (!this->HasObstacles)
   {
-    context.Boundary = { PreviewBisections, this->GetPreviewSteps(), true };
+    const int steps = this->Options.MaximumNumberOfSteps / PreviewStepsDivisor;
+    context.Boundary = { PreviewBisections, std::max(steps, MinimumPreviewSteps), true };
   }
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   if (isActive && this->Options.RefinementLevels > 0)
@@ -229,18 +230,6 @@ void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, i
     (grid || SamplingCheck::Run(context, samples));
   this->Refined = isActive ? grid : nullptr;
   this->Aborted = !isActive;
-}
-
-int ImplicitFlowRun::GetPreviewSteps()
-{
-  const auto reached = vtkFlowStatus::REACHED_SURFACE;
-  std::vector<vtkIdType> sums{ this->Report.StepsToSurfaces, this->Report.Statuses[reached] };
-  if (this->Ranks)
-  {
-    this->Ranks->GetExchange().ReduceSum(sums);
-  }
-  const double mean = static_cast<double>(sums[0]) / std::max<vtkIdType>(sums[1], 1);
-  return static_cast<int>(std::min<double>(MinimumPreviewSteps + PreviewSteps * mean, VTK_INT_MAX));
 }
 
 bool ImplicitFlowRun::Refine(

@@ -96,9 +96,6 @@ private:
   void RunStagesWithCheckpoint(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
   /// Runs the stages of StageContext in order.
   void RunStages(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
-  /// Returns the maximum number of steps to locate the boundary without obstacles. It is the same
-  /// in all processes.
-  int GetPreviewSteps();
   /// Refines the samples by all levels. Returns false if the execution was aborted.
   bool Refine(StageContext& context, SampleIntegration& integration,
     vtkSmartPointer<vtkUnstructuredGrid>& grid);

@@ -68,7 +68,6 @@ void FlowReport::Add(const FlowReport& other)
   }
   this->ReachedWithinTolerance += other.ReachedWithinTolerance;
   this->Steps += other.Steps;
-  this->StepsToSurfaces += other.StepsToSurfaces;
   this->SimdSteps += other.SimdSteps;
   this->RejectedSteps += other.RejectedSteps;
   this->StiffSteps += other.StiffSteps;
@@ -88,7 +87,6 @@ void FlowReport::Add(const AdvectionResult& result)
   {
     ++this->SamplesBySurface[result.Id];
     this->ReachedWithinTolerance += result.Nearness > 0.0 ? 1 : 0;
-    this->StepsToSurfaces += result.GetNumberOfSteps();
   }
   this->Steps += result.Steps;
   this->SimdSteps += result.SimdSteps;

@@ -45,8 +45,6 @@ struct FlowReport
   vtkIdType RejectedSteps = 0;
   vtkIdType StiffSteps = 0;
   vtkIdType RejectedStiffSteps = 0;
-  /// Number of all steps of streamlines that reached a surface. Not reported.
-  vtkIdType StepsToSurfaces = 0;
   /// Number of steps, included in Steps, that were computed four at a time with SIMD instructions,
   /// on images and rectilinear grids. Their results are bit-identical to those of single steps.
   vtkIdType SimdSteps = 0;
