@@ -155,7 +155,7 @@ USES = {
          [False, True, False, True])],
     "drag before Apply": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", RANGE) + WATCH + dragged("Intervals", [8, 14])
-         + [check(APPLY[0], "enabled", "true")], "newcomer_record.FRAMES", [])],
+         + [check(APPLY[0], "enabled", "true")], "any(newcomer_record.FRAMES)", False)],
     "drag outside of the range": [
         (wavelet(10) + chosen("IntervalVolume") + values("Intervals", [-500.0, 900.0]) + [APPLY] + WATCH
          + dragged("Intervals", [6, 7, 8, 9]), "newcomer_record.watched('Intervals')", [True, False, True, 1]),

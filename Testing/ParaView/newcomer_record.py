@@ -11,7 +11,7 @@ import tempfile
 import time
 import traceback
 
-from paraview import simple, smtrace
+from paraview import servermanager, simple, smtrace
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
 SIZE = [480, 360]
@@ -93,7 +93,8 @@ def watch():
     FRAMES.clear()
     observe((simple.GetActiveView().SMProxy, "EndEvent",
              lambda *_: FRAMES.append(source.GetOutputDataObject(0).GetNumberOfElements(1))))
-    smtrace.stop_trace()  # of a previous drag, if it was not read
+    if servermanager.vtkSMTrace.GetActiveTracer():  # of a previous drag that was not read
+        smtrace.stop_trace()
     smtrace.start_trace()
 
 
