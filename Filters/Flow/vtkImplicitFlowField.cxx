@@ -92,10 +92,8 @@ std::string GetAdvice(const StatusCounts& counts)
   return left > inside - reached - left
     ? " Most streamlines leave the field elsewhere: turn on Domain Faces, or move the surface."
     : " Most streamlines end inside the field, as in a field of gradients: turn on Domain Faces, "
-      "place "
-      "a surface, such as a sphere, around the region where they end, or smooth the data from "
-      "which "
-      "the vectors were computed.";
+      "place a surface, such as a sphere, around the region where they end, or smooth the data "
+      "from which the vectors were computed.";
 }
 
 /// Returns true for image data, and rectilinear or structured grids.

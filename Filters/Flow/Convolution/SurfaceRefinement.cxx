@@ -55,15 +55,16 @@ struct Size
 
 Size Measure(vtkPoints* points, const Triangle& triangle)
 {
-  Size size;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    size.Length = std::max(size.Length, GetEdgeLength(points, triangle[i], triangle[(i + 1) % 3]));
-  }
   double corners[3][3];
   for (std::size_t i = 0; i < 3; ++i)
   {
     points->GetPoint(triangle[i], corners[i]);
+  }
+  Size size;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    size.Length = std::max(
+      size.Length, Vectors::SafeLength(Vectors::Difference(corners[(i + 1) % 3], corners[i])));
   }
   if (size.Length > 0.0)
   {

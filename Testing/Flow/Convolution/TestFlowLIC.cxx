@@ -569,16 +569,23 @@ void CheckTriangles(vtkPolyData* surface, double length, double expectedArea, Ch
   check.Equal(static_cast<long long>(open), 0, "inner edges without two triangles");
 }
 
+/// Returns a rectangle around the z-axis, in the plane z = 0.5.
+vtkSmartPointer<vtkPlaneSource> MakePlane(double halfX, double halfY, int columns, int rows)
+{
+  auto plane = vtkSmartPointer<vtkPlaneSource>::New();
+  plane->SetOrigin(-halfX, -halfY, 0.5);
+  plane->SetPoint1(halfX, -halfY, 0.5);
+  plane->SetPoint2(-halfX, halfY, 0.5);
+  plane->SetResolution(columns, rows);
+  return plane;
+}
+
 /// Tests refined surfaces and their attributes, the limit of triangles, and that without surfaces
 /// nothing is refined.
 void TestRefinement(Check& check)
 {
   check.SetContext("refined surface: ");
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-2.0, -1.5, 0.5);
-  plane->SetPoint1(2.0, -1.5, 0.5);
-  plane->SetPoint2(-2.0, 1.5, 0.5);
-  plane->SetResolution(7, 2);
+  const auto plane = MakePlane(2.0, 1.5, 7, 2);
   plane->Update();
   vtkNew<vtkPolyData> input;
   input->ShallowCopy(plane->GetOutput());
@@ -635,11 +642,7 @@ void TestRefinement(Check& check)
 void TestProjection(Check& check)
 {
   check.SetContext("projection: ");
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-1.0, -1.0, 0.5);
-  plane->SetPoint1(1.0, -1.0, 0.5);
-  plane->SetPoint2(-1.0, 1.0, 0.5);
-  plane->SetResolution(9, 9);
+  const auto plane = MakePlane(1.0, 1.0, 9, 9);
   const Setting setting;
   const vtkSmartPointer<vtkFlowLIC> along = MakeFilter(setting);
   along->SetInputConnection(plane->GetOutputPort());
