@@ -25,6 +25,12 @@ inline double InfinityNorm(const glm::dvec3& v)
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
 
+/// Returns the mean of the components.
+inline double Mean(const glm::dvec3& v)
+{
+  return (v.x + v.y + v.z) / 3.0;
+}
+
 inline bool IsFinite(const glm::dvec3& v)
 {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

@@ -78,7 +78,7 @@ int Classify(const double eigenvalues[6])
   return types[outgoing] + (isSpiral ? 1 : 0);
 }
 
-void SetReport(vtkInterlumeReport* report, const interlume::ZeroSearch::Counts& counts = {},
+void SetPointsReport(vtkInterlumeReport* report, const interlume::ZeroSearch::Counts& counts = {},
   const std::vector<std::string>& converted = {})
 {
   interlume::ReportValue::Set(report,
@@ -90,7 +90,7 @@ void SetReport(vtkInterlumeReport* report, const interlume::ZeroSearch::Counts& 
 
 vtkFlowCriticalPoints::vtkFlowCriticalPoints()
 {
-  SetReport(this->Report);
+  SetPointsReport(this->Report);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
 }
@@ -122,7 +122,7 @@ int vtkFlowCriticalPoints::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  SetReport(this->Report);
+  SetPointsReport(this->Report);
   interlume::CellArrayConversion conversion(this, 3);
   const auto selection = interlume::FieldVectors::Select(this, conversion, inputs, outputs);
   vtkDataSet* input = selection.Data;
@@ -137,7 +137,7 @@ int vtkFlowCriticalPoints::RequestData(
     return interlume::AbortCheck::Leave(outputs);
   }
   const interlume::ZeroSearch::Counts& counts = search.GetCounts();
-  SetReport(this->Report, counts, conversion.GetNames());
+  SetPointsReport(this->Report, counts, conversion.GetNames());
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -48,7 +48,7 @@ interlume::InflowEvaluator& GetEvaluator(
   return *evaluator;
 }
 
-void SetReport(
+void SetMappingReport(
   vtkInterlumeReport* report, vtkIdType samples = 0, vtkIdType ids = 0, vtkIdType seams = 0)
 {
   interlume::ReportValue::Set(
@@ -58,7 +58,7 @@ void SetReport(
 
 vtkInflowMapping::vtkInflowMapping()
 {
-  SetReport(this->Report);
+  SetMappingReport(this->Report);
   this->SetFormula(ALL, "u");
 }
 
@@ -272,7 +272,7 @@ int vtkInflowMapping::RequestData(
   vtkDataSet* output = vtkDataSet::GetData(outputs);
   // Otherwise, image data would keep the active scalars of the previous execution.
   output->Initialize();
-  SetReport(this->Report);
+  SetMappingReport(this->Report);
   interlume::ImplicitFlowArrays arrays;
   if (const interlume::Error error = arrays.Find(input).Then([this] { return this->Prepare(); }))
   {
@@ -326,7 +326,7 @@ int vtkInflowMapping::RequestData(
     periodic->InsertNextTypedTuple(tuple);
     continuedSeams += tuple[1] + tuple[2];
   }
-  SetReport(this->Report, number, periodic->GetNumberOfTuples(), continuedSeams);
+  SetMappingReport(this->Report, number, periodic->GetNumberOfTuples(), continuedSeams);
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(inflow);
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::InflowArray());

@@ -90,7 +90,7 @@ void AddContours(
   output->AddArray(closed);
 }
 
-void SetReport(vtkInterlumeReport* report, vtkIdType contours = 0, vtkIdType closedContours = 0,
+void SetParametersReport(vtkInterlumeReport* report, vtkIdType contours = 0, vtkIdType closedContours = 0,
   vtkIdType addedPoints = 0)
 {
   interlume::ReportValue::Set(report,
@@ -101,7 +101,7 @@ void SetReport(vtkInterlumeReport* report, vtkIdType contours = 0, vtkIdType clo
 
 vtkStreamSurfaceParameters::vtkStreamSurfaceParameters()
 {
-  SetReport(this->Report);
+  SetParametersReport(this->Report);
 }
 
 vtkStreamSurfaceParameters::~vtkStreamSurfaceParameters() = default;
@@ -250,7 +250,7 @@ int vtkStreamSurfaceParameters::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  SetReport(this->Report);
+  SetParametersReport(this->Report);
   if (input->GetNumberOfCells() == 0)
   {
     if (interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
@@ -293,7 +293,7 @@ int vtkStreamSurfaceParameters::RequestData(
   AddPointNumbers(made, output->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
   AddContours(work.Contours, output->GetFieldData());
-  SetReport(this->Report, static_cast<vtkIdType>(work.Contours.size()),
+  SetParametersReport(this->Report, static_cast<vtkIdType>(work.Contours.size()),
     std::count_if(work.Contours.begin(), work.Contours.end(),
       [](const auto& contour) { return contour.IsClosed; }),
     output->GetNumberOfPoints() - input->GetNumberOfPoints());

@@ -26,7 +26,7 @@ vtkStandardNewMacro(vtkTerminationSurfaceSource);
 
 namespace
 {
-void SetReport(vtkInterlumeReport* report, int parts = 0, vtkIdType points = 0,
+void SetSourceReport(vtkInterlumeReport* report, int parts = 0, vtkIdType points = 0,
   vtkIdType borderPoints = 0, vtkIdType triangles = 0, vtkIdType flatTriangles = 0)
 {
   interlume::ReportValue::Set(report,
@@ -37,7 +37,7 @@ void SetReport(vtkInterlumeReport* report, int parts = 0, vtkIdType points = 0,
 
 vtkTerminationSurfaceSource::vtkTerminationSurfaceSource()
 {
-  SetReport(this->Report);
+  SetSourceReport(this->Report);
   this->SetNumberOfInputPorts(0);
 }
 
@@ -59,7 +59,7 @@ vtkMTimeType vtkTerminationSurfaceSource::GetMTime()
 int vtkTerminationSurfaceSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  SetReport(this->Report);
+  SetSourceReport(this->Report);
   if (const interlume::Error error =
         this->Surface ? this->Surface->Update() : "it is null; call SetSurface")
   {
@@ -111,7 +111,7 @@ int vtkTerminationSurfaceSource::RequestData(
   output->GetPointData()->SetScalars(parameters);
   output->GetPointData()->SetNormals(normals);
   output->GetCellData()->AddArray(ids);
-  SetReport(this->Report, parts, output->GetNumberOfPoints(), borderPoints,
+  SetSourceReport(this->Report, parts, output->GetNumberOfPoints(), borderPoints,
     output->GetNumberOfCells(), flatTriangles);
   return 1;
 }

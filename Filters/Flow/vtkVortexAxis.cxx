@@ -188,7 +188,7 @@ interlume::Error CheckVector(const char* name, const double v[3], bool isDirecti
   return what.str();
 }
 
-void SetReport(vtkInterlumeReport* report, int planes = 0, vtkIdType zeros = 0,
+void SetAxisReport(vtkInterlumeReport* report, int planes = 0, vtkIdType zeros = 0,
   vtkIdType pointsOnAxis = 0, const interlume::ZeroSearch::Counts& counts = {},
   const std::vector<std::string>& converted = {})
 {
@@ -201,7 +201,7 @@ void SetReport(vtkInterlumeReport* report, int planes = 0, vtkIdType zeros = 0,
 
 vtkVortexAxis::vtkVortexAxis()
 {
-  SetReport(this->Report);
+  SetAxisReport(this->Report);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::VECTORS);
 }
@@ -225,7 +225,7 @@ int vtkVortexAxis::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  SetReport(this->Report);
+  SetAxisReport(this->Report);
   interlume::CellArrayConversion conversion(this, 3);
   const auto selection = interlume::FieldVectors::Select(this, conversion, inputs, outputs);
   vtkDataSet* input = selection.Data;
@@ -267,7 +267,7 @@ int vtkVortexAxis::RequestData(
       << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength requires."
                                            : "."));
   }
-  SetReport(this->Report, flow.GetNumberOfPlanes(),
+  SetAxisReport(this->Report, flow.GetNumberOfPlanes(),
     static_cast<vtkIdType>(search.GetZeros().size()), output->GetNumberOfPoints(),
     search.GetCounts(), conversion.GetNames());
   this->UpdateProgress(1.0);

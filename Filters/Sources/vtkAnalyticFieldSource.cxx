@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkAnalyticFieldSource);
 
 namespace
 {
-constexpr double Limit = 1e6;
+constexpr double LargestCoordinate = 1e6;
 
 // Returns base + rate * time.
 glm::dvec3 Advance(const double base[3], const double rate[3], double time)
@@ -40,12 +40,12 @@ const char* vtkAnalyticFieldSource::GetFieldName(int field)
 
 void vtkAnalyticFieldSource::SetVector(double (&member)[3], double x, double y, double z)
 {
-  interlume::ClampedValue::Set(this, member, { x, y, z }, -Limit, Limit);
+  interlume::ClampedValue::Set(this, member, { x, y, z }, -LargestCoordinate, LargestCoordinate);
 }
 
 void vtkAnalyticFieldSource::SetNumber(double& member, double value)
 {
-  interlume::ClampedValue::Set(this, member, value, -Limit, Limit);
+  interlume::ClampedValue::Set(this, member, value, -LargestCoordinate, LargestCoordinate);
 }
 
 interlume::FieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) const

@@ -29,7 +29,6 @@ vtkStandardNewMacro(vtkAnalyticFlowSource);
 
 namespace
 {
-constexpr double Limit = 1e12;
 constexpr double MinimumLength = 1e-12;
 
 // Returns the normalized vector. It is scaled first, because the squared length of a very small
@@ -67,22 +66,22 @@ const char* vtkAnalyticFlowSource::GetInsideName(int inside)
 
 void vtkAnalyticFlowSource::SetNumber(double& member, double value)
 {
-  interlume::ClampedValue::Set(this, member, value, -Limit, Limit);
+  interlume::ClampedValue::Set(this, member, value);
 }
 
 void vtkAnalyticFlowSource::SetLength(double& member, double value)
 {
-  interlume::ClampedValue::Set(this, member, value, MinimumLength, Limit);
+  interlume::ClampedValue::Set(this, member, value, MinimumLength, interlume::ClampedValue::Largest);
 }
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[3], double x, double y, double z)
 {
-  interlume::ClampedValue::Set(this, member, { x, y, z }, -Limit, Limit);
+  interlume::ClampedValue::Set(this, member, { x, y, z });
 }
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[2], double x, double y)
 {
-  interlume::ClampedValue::Set(this, member, { x, y }, -Limit, Limit);
+  interlume::ClampedValue::Set(this, member, { x, y });
 }
 
 void vtkAnalyticFlowSource::SetAxis(double x, double y, double z)

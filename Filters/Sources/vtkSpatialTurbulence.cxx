@@ -14,11 +14,6 @@
 
 vtkStandardNewMacro(vtkSpatialTurbulence);
 
-namespace
-{
-constexpr double Limit = 1e12;
-}
-
 vtkSpatialTurbulence::vtkSpatialTurbulence()
 {
   this->MakeNoises();
@@ -55,17 +50,17 @@ vtkSpatialObject* vtkSpatialTurbulence::GetOperand() const
 
 void vtkSpatialTurbulence::SetFrequency(double x, double y, double z)
 {
-  interlume::ClampedValue::Set(this, this->Frequency, { x, y, z }, 0.0, Limit);
+  interlume::ClampedValue::Set(this, this->Frequency, { x, y, z }, 0.0, interlume::ClampedValue::Largest);
 }
 
 void vtkSpatialTurbulence::SetAmplitude(double amplitude)
 {
-  interlume::ClampedValue::Set(this, this->Amplitude, amplitude, -Limit, Limit);
+  interlume::ClampedValue::Set(this, this->Amplitude, amplitude);
 }
 
 void vtkSpatialTurbulence::SetGain(double gain)
 {
-  interlume::ClampedValue::Set(this, this->Gain, gain, 0.0, Limit);
+  interlume::ClampedValue::Set(this, this->Gain, gain, 0.0, interlume::ClampedValue::Largest);
 }
 
 void vtkSpatialTurbulence::SetSeed(int seed)

@@ -23,7 +23,6 @@ vtkStandardNewMacro(vtkTurbulenceSource);
 
 namespace
 {
-constexpr double Limit = 1e12;
 constexpr double MinimumTopFraction = 1e-6;
 }
 
@@ -47,17 +46,17 @@ const char* vtkTurbulenceSource::GetEnvelopeName(int envelope)
 
 void vtkTurbulenceSource::SetFrequency(double frequency)
 {
-  interlume::ClampedValue::Set(this, this->Frequency, frequency, 0.0, Limit);
+  interlume::ClampedValue::Set(this, this->Frequency, frequency, 0.0, interlume::ClampedValue::Largest);
 }
 
 void vtkTurbulenceSource::SetAmplitude(double amplitude)
 {
-  interlume::ClampedValue::Set(this, this->Amplitude, amplitude, -Limit, Limit);
+  interlume::ClampedValue::Set(this, this->Amplitude, amplitude);
 }
 
 void vtkTurbulenceSource::SetOffset(double offset)
 {
-  interlume::ClampedValue::Set(this, this->Offset, offset, -Limit, Limit);
+  interlume::ClampedValue::Set(this, this->Offset, offset);
 }
 
 void vtkTurbulenceSource::SetTopFraction(double fraction)

@@ -37,16 +37,6 @@ constexpr double MinimumSharedWeight = 0.05;
 constexpr double NearFace = 1e-4;
 constexpr double NearPoint = 1e-6;
 
-struct Local
-{
-  std::vector<ZeroSearch::Zero> Zeros;
-  std::vector<vtkIdType> Marks;
-  ZeroSearch::Counts Counts;
-  CellZeros Solver;
-  std::vector<CellZeros::Zero> Found;
-  MultilinearCell Cell;
-};
-
 // Collects the speeds at visible points, and counts vectors that are not finite.
 SpeedCount CountSpeeds(vtkDataSet* data, vtkDataArray* vectors)
 {
@@ -81,6 +71,16 @@ SpeedCount CountSpeeds(vtkDataSet* data, vtkDataArray* vectors)
 class ZeroSearch::Worker
 {
 public:
+  struct Local
+  {
+    std::vector<Zero> Zeros;
+    std::vector<vtkIdType> Marks;
+    Counts Counts;
+    CellZeros Solver;
+    std::vector<CellZeros::Zero> Found;
+    MultilinearCell Cell;
+  };
+
   Worker(vtkDataSet* data, vtkDataArray* vectors, const Systems& systems, const FillValues& fill)
     : Data(data)
     , Vectors(vectors)
@@ -269,7 +269,7 @@ bool ZeroSearch::Execute(
     return false;
   }
   std::vector<unsigned char> marks(data->GetNumberOfPoints(), 0);
-  for (const Local& local : worker.Locals)
+  for (const Worker::Local& local : worker.Locals)
   {
     this->Zeros.insert(this->Zeros.end(), local.Zeros.begin(), local.Zeros.end());
     for (const vtkIdType mark : local.Marks)

@@ -28,11 +28,6 @@ namespace
 // Classes of cells by the seams that they cross: none, u, v or both.
 constexpr int NumberOfClasses = 4;
 
-vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
-{
-  return vtkIdTypeArray::SafeDownCast(attributes->GetArray(name))->GetPointer(0);
-}
-
 class Unwrapper
 {
 public:

@@ -40,6 +40,12 @@ private:
   StoredIds Ids;
 };
 
+/// Returns the values of an array of type vtkIdTypeArray, such as OriginCell of an extraction.
+inline const vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
+{
+  return vtkIdTypeArray::SafeDownCast(attributes->GetArray(name))->GetPointer(0);
+}
+
 }
 
 #endif

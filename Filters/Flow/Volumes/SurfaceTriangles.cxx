@@ -33,11 +33,6 @@ int* GetIntegers(vtkDataSetAttributes* attributes, const char* name)
   return vtkIntArray::SafeDownCast(attributes->GetArray(name))->GetPointer(0);
 }
 
-const vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
-{
-  return vtkIdTypeArray::SafeDownCast(attributes->GetArray(name))->GetPointer(0);
-}
-
 // Returns the face of a tetrahedron opposite a corner, counterclockwise as seen from outside.
 SurfaceTriangles::Triangle GetFace(const SimplexPoints& tetrahedra, vtkIdType cell, int out)
 {

@@ -59,7 +59,7 @@ InterpolableCells::Continuity GetContinuity(vtkDataSet* input, const ImplicitFlo
 }
 
 // Returns a shallow copy of an integer cell array of \a mesh with another name.
-vtkSmartPointer<vtkIntArray> Rename(
+vtkSmartPointer<vtkIntArray> CopyAs(
   vtkUnstructuredGrid* mesh, const char* before, const char* after)
 {
   vtkSmartPointer<vtkIntArray> renamed = vtkSmartPointer<vtkIntArray>::New();
@@ -240,7 +240,7 @@ bool VolumeExtraction::Execute(const Request& request, FlowVolumeReport& report)
       this->Between = vtkSmartPointer<vtkUnstructuredGrid>::New();
       this->Between->ShallowCopy(this->ByInflow.Mesh);
       interlume::SurfaceCuts::RemoveOrigins(this->Between);
-      const auto items = Rename(this->Between, "IntervalId", ItemArray());
+      const auto items = CopyAs(this->Between, "IntervalId", ItemArray());
       this->Between->GetCellData()->RemoveArray("IntervalId");
       this->Between->GetCellData()->AddArray(items);
     }
@@ -281,7 +281,7 @@ bool VolumeExtraction::Execute(const Request& request, FlowVolumeReport& report)
   this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   this->Mesh->ShallowCopy(this->ByTime.Mesh);
   interlume::SurfaceCuts::RemoveOrigins(this->Mesh);
-  this->TimeItems = Rename(this->Mesh, "IntervalId", "TimeIntervalId");
+  this->TimeItems = CopyAs(this->Mesh, "IntervalId", "TimeIntervalId");
   this->InflowItems = request.Inflow
     ? vtkIntArray::SafeDownCast(this->Mesh->GetCellData()->GetArray(ItemArray()))
     : nullptr;

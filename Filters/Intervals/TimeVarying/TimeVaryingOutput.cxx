@@ -23,7 +23,6 @@ namespace interlume
 
 namespace
 {
-using Simplex = TimeVaryingMesh::Simplex;
 using Slab = TimeVaryingMesh::Slab;
 constexpr int NumberOfPoints = SimplexProjection::NumberOfPoints;
 

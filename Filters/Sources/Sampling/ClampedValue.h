@@ -16,6 +16,9 @@ namespace interlume
  */
 namespace ClampedValue
 {
+/// Largest absolute value of most properties.
+constexpr double Largest = 1e12;
+
 /**
  * Assigns \a number \a values to \a members, each clamped to lower ... upper. NaN leaves a member
  * unchanged. Marks \a owner as modified if a member changed.
@@ -41,14 +44,15 @@ inline void SetAll(vtkObject* owner, double* members, const double* values, std:
 
 /// Assigns all \a members as SetAll() does.
 template <std::size_t Size>
-void Set(vtkObject* owner, double (&members)[Size], const double (&values)[Size], double lower,
-  double upper)
+void Set(vtkObject* owner, double (&members)[Size], const double (&values)[Size],
+  double lower = -Largest, double upper = Largest)
 {
   SetAll(owner, members, values, Size, lower, upper);
 }
 
 /// Assigns one \a member as SetAll() does.
-inline void Set(vtkObject* owner, double& member, double value, double lower, double upper)
+inline void Set(vtkObject* owner, double& member, double value, double lower = -Largest,
+  double upper = Largest)
 {
   SetAll(owner, &member, &value, 1, lower, upper);
 }

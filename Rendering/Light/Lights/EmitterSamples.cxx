@@ -54,7 +54,7 @@ std::vector<glm::dvec2> MakeNet(int count)
 // Scales the weights of a channel so that their sum is 1. If all samples are 0 in this channel, the
 // weights are equal. The weights are rounded to multiples of 2^-50, which add up without rounding
 // errors in any order.
-void Normalize(std::vector<EmitterSamples::Sample>& samples, int channel)
+void NormalizeChannel(std::vector<EmitterSamples::Sample>& samples, int channel)
 {
   const double unit = std::ldexp(1.0, -50);
   double total = 0.0;
@@ -106,7 +106,7 @@ std::vector<EmitterSamples::Sample> EmitterSamples::Make(
   }
   for (int channel = 0; channel < 3; ++channel)
   {
-    Normalize(samples, channel);
+    NormalizeChannel(samples, channel);
   }
   return samples;
 }

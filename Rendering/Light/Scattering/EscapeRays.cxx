@@ -4,6 +4,7 @@
 #include "Common/ParallelFor.h"
 #include "Scattering/CellRay.h"
 
+#include "vtkMath.h"
 #include "vtkType.h"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -24,7 +25,6 @@ namespace interlume
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 
 /// A direction in which light leaves the box, and the fraction of the sphere that it represents.
 struct Ordinate
@@ -57,7 +57,7 @@ std::vector<Ordinate> MakeOrdinates()
       const double across = std::sqrt(1.0 - cosine * cosine);
       for (int turn = 0; turn < turns; ++turn)
       {
-        const double angle = 2.0 * Pi * (turn + 0.5) / turns;
+        const double angle = 2.0 * vtkMath::Pi() * (turn + 0.5) / turns;
         Ordinate ordinate;
         ordinate.Out[axis] = i & 2 ? -cosine : cosine;
         ordinate.Out[(axis + 1) % 3] = across * std::cos(angle);
@@ -92,8 +92,8 @@ public:
         const double across = std::sqrt(1.0 - cap * cap);
         for (int turn = 0; turn < turns; ++turn)
         {
-          const double angle = Pi * (turn + 0.5) / turns;
-          this->Values[i] += 4.0 * Pi / (rings * turns) *
+          const double angle = vtkMath::Pi() * (turn + 0.5) / turns;
+          this->Values[i] += 4.0 * vtkMath::Pi() / (rings * turns) *
             phase.Value(cosine * cap + sine * across * std::cos(angle));
         }
       }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/PhaseFunction.h"
 
+#include "vtkMath.h"
+
 #include <boost/math/special_functions/legendre.hpp>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace interlume
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 }
 
 void PhaseFunction::SetIsotropic()
@@ -57,7 +58,7 @@ Error PhaseFunction::SetTable(const std::vector<double>& values)
   {
     sum += value / largest;
   }
-  const double integral = 2.0 * Pi * sum * 2.0 / static_cast<double>(values.size() - 1);
+  const double integral = 2.0 * vtkMath::Pi() * sum * 2.0 / static_cast<double>(values.size() - 1);
   this->Table = values;
   for (double& value : this->Table)
   {
@@ -74,7 +75,7 @@ double PhaseFunction::Value(double cosine) const
     const double g = this->Anisotropy;
     // This form avoids cancellation if both g and the cosine are near 1.
     const double base = (1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 - cosine);
-    return (1.0 - g) * (1.0 + g) / (4.0 * Pi * base * std::sqrt(base));
+    return (1.0 - g) * (1.0 + g) / (4.0 * vtkMath::Pi() * base * std::sqrt(base));
   }
   const double position = 0.5 * (cosine + 1.0) * static_cast<double>(this->Table.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(position), this->Table.size() - 2);
@@ -103,7 +104,7 @@ double PhaseFunction::Integrate(double lower, Function&& function) const
     const double cosine = sign * (1.0 + scale - distance);
     sum += distance * this->Value(cosine) * function(cosine);
   }
-  return 2.0 * Pi * sum * (end - start) / steps;
+  return 2.0 * vtkMath::Pi() * sum * (end - start) / steps;
 }
 
 double PhaseFunction::Moment(int n) const

@@ -26,11 +26,6 @@ namespace interlume
 namespace
 {
 
-double MeanOf(const glm::dvec3& color)
-{
-  return (color.x + color.y + color.z) / 3.0;
-}
-
 /// Computes one solution, from the forward light to the energy sums.
 class Solution
 {
@@ -56,7 +51,7 @@ public:
     this->SolveForward(this->Phase.ForwardFraction(), variance);
     const std::vector<EscapeRays::Sums> sums = this->TraceLights({});
     const glm::dvec3 remaining = this->LimitForward(sums, 1.0);
-    this->Report.Dropped = MeanOf(remaining);
+    this->Report.Dropped = Vectors::Mean(remaining);
     this->ReportLights(sums);
   }
 
@@ -97,7 +92,7 @@ private:
     const std::size_t lights = this->Medium.Lights.size();
     for (std::size_t light = 0; light < lights; ++light)
     {
-      this->Report.Taken += MeanOf(this->SumExtinguished(light));
+      this->Report.Taken += Vectors::Mean(this->SumExtinguished(light));
     }
     this->Slopes = LightSlopes::Find(this->Medium, this->Medium.Direct);
     if (!(fraction > 0.0))
@@ -170,7 +165,7 @@ private:
     for (std::size_t light = 0; light < this->Medium.Lights.size(); ++light)
     {
       direction +=
-        MeanOf(this->SumExtinguished(light)) * this->Medium.Lights[light].GetDirection(center);
+        Vectors::Mean(this->SumExtinguished(light)) * this->Medium.Lights[light].GetDirection(center);
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -247,7 +242,7 @@ private:
   void ReportLights(const std::vector<EscapeRays::Sums>& sums)
   {
     const std::size_t lights = this->Medium.Lights.size();
-    this->Report.Absorbed += MeanOf(this->SumAbsorbed());
+    this->Report.Absorbed += Vectors::Mean(this->SumAbsorbed());
     for (std::size_t i = 0; i < lights + this->ForwardScale.size(); ++i)
     {
       this->ReportOut(sums[i], i < lights ? glm::dvec3(1.0) : this->ForwardScale[i - lights]);
@@ -256,9 +251,9 @@ private:
 
   void ReportOut(const EscapeRays::Sums& sums, const glm::dvec3& scale)
   {
-    this->Report.Absorbed += MeanOf(scale * sums.Blocked);
-    this->Report.Reflected += MeanOf(scale * sums.Backward);
-    this->Report.Transmitted += MeanOf(scale * sums.Forward);
+    this->Report.Absorbed += Vectors::Mean(scale * sums.Blocked);
+    this->Report.Reflected += Vectors::Mean(scale * sums.Backward);
+    this->Report.Transmitted += Vectors::Mean(scale * sums.Forward);
   }
 
   /**
@@ -302,10 +297,10 @@ private:
     {
       fluence *= glm::vec3(factor);
     }
-    this->Report.Absorbed += MeanOf(factor * absorbed);
+    this->Report.Absorbed += Vectors::Mean(factor * absorbed);
     if (!this->LimitFluence(diffuse.Fluence))
     {
-      this->Report.Dropped += MeanOf(factor * dropped);
+      this->Report.Dropped += Vectors::Mean(factor * dropped);
       this->ReportOut(sums.back(), factor);
       return;
     }
@@ -314,7 +309,7 @@ private:
       this->Medium, this->Phase, { this->GetSource(diffuse) }, this->GetMainDirection())
                                    .front();
     this->ReportOut(out, glm::dvec3(1.0));
-    this->Report.Dropped += MeanOf(recaptured - factor * absorbed - out.GetEscaped());
+    this->Report.Dropped += Vectors::Mean(recaptured - factor * absorbed - out.GetEscaped());
   }
 
   EscapeRays::Source GetSource(const DiffuseLight::Output& diffuse) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/SingleScatteringEscape.h"
 
+#include "Common/Vectors.h"
 #include "Scattering/CellRay.h"
 
 #include "vtkMath.h"
@@ -49,11 +50,6 @@ private:
   double Path;
   double Factor = 1.0;
 };
-
-double MeanOf(const glm::dvec3& color)
-{
-  return (color.x + color.y + color.z) / 3.0;
-}
 
 /// Follows the paths of one light.
 class LightPaths
@@ -269,7 +265,7 @@ EscapeRays::Sums SingleScatteringEscape::Find(
     sent += getSent(cell);
   }
   EscapeRays::Sums sums;
-  const double total = MeanOf(sent);
+  const double total = Vectors::Mean(sent);
   if (!(total > 0.0))
   {
     return sums;
@@ -282,7 +278,7 @@ EscapeRays::Sums SingleScatteringEscape::Find(
   int samples = 0;
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    accumulated += MeanOf(getSent(cell));
+    accumulated += Vectors::Mean(getSent(cell));
     const int upTo = std::min(static_cast<int>(accumulated / total * draws + 0.5), draws);
     if (upTo > samples)
     {
@@ -316,9 +312,9 @@ EscapeRays::Sums SingleScatteringEscape::Find(
   {
     const LightPaths::Out& out = outs[i];
     const glm::dvec3 cell = getSent(sampledCells[i].first);
-    if (out.All > 0.0 && MeanOf(cell) > 0.0)
+    if (out.All > 0.0 && Vectors::Mean(cell) > 0.0)
     {
-      const glm::dvec3 fraction = sampledCells[i].second / MeanOf(cell) * cell;
+      const glm::dvec3 fraction = sampledCells[i].second / Vectors::Mean(cell) * cell;
       counted += fraction;
       sums.Backward += out.Backward / out.All * fraction;
       sums.Forward += out.Forward / out.All * fraction;

@@ -22,8 +22,8 @@ using TransferMath::Mix;
 using Node = TransferNodes::Node;
 
 /// Maximum number of bisections of a curve.
-constexpr int MaximumDepth = 16;
-constexpr double Tolerance = 1e-5;
+constexpr int MaximumCurveDepth = 16;
+constexpr double NodeTolerance = 1e-5;
 /// Distance from the ends of a curve at which its one-sided limits are evaluated, as a fraction of
 /// the curve's width.
 constexpr double AtEnd = 1e-9;
@@ -85,7 +85,7 @@ void TransferNodes::AddCurve(
   const auto isStraight = [&](double fraction)
   {
     return GetDistance(function(a.X + fraction * (b.X - a.X)), Mix(a.Y, b.Y, fraction)) <=
-      Tolerance * scale;
+      NodeTolerance * scale;
   };
   const double center = a.X + 0.5 * (b.X - a.X);
   if (depth == 0 || !(center > a.X && center < b.X) ||
@@ -123,11 +123,11 @@ void TransferNodes::AddSegment(const Function& function, const Node& a, const No
     const Node bend{ center, function(center) };
     const Node last{ b.X, function(b.X - AtEnd * (b.X - a.X)) };
     const auto snap = [&](const Node& limit, const Node& node)
-    { return GetDistance(limit.Y, node.Y) <= Tolerance * scale ? node : limit; };
+    { return GetDistance(limit.Y, node.Y) <= NodeTolerance * scale ? node : limit; };
     const Node from = snap(first, a);
     this->Add(from.X, from.Y);
-    this->AddCurve(function, from, bend, scale, MaximumDepth);
-    this->AddCurve(function, bend, snap(last, b), scale, MaximumDepth);
+    this->AddCurve(function, from, bend, scale, MaximumCurveDepth);
+    this->AddCurve(function, bend, snap(last, b), scale, MaximumCurveDepth);
   }
   else if (fraction != 0.5)
   {

@@ -11,7 +11,7 @@ namespace interlume
 
 namespace
 {
-constexpr vtkIdType Grain = 16384;
+constexpr vtkIdType CentroidGrain = 16384;
 
 // Returns four times the centroid.
 glm::dvec3 SumCorners(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
@@ -25,7 +25,7 @@ template <typename Measure>
 void FillKeys(const TetrahedraMesh& mesh, std::vector<std::uint32_t>& keys, const Measure& measure)
 {
   keys.resize(mesh.GetNumberOfTetrahedra());
-  ParallelFor(0, static_cast<vtkIdType>(keys.size()), Grain,
+  ParallelFor(0, static_cast<vtkIdType>(keys.size()), CentroidGrain,
     [&](vtkIdType i)
     {
       const double value = measure(SumCorners(mesh, static_cast<std::uint32_t>(i)));

@@ -15,7 +15,7 @@ namespace interlume
 
 namespace
 {
-constexpr vtkIdType Grain = 8192;
+constexpr vtkIdType FaceGrain = 8192;
 
 // Returns the point ids of a face, ascending.
 std::array<std::uint32_t, 3> GetSortedIds(const TetrahedraMesh& mesh, std::uint32_t face)
@@ -82,7 +82,7 @@ std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
   const std::uint32_t faces = 4 * mesh.GetNumberOfTetrahedra();
   std::vector<std::uint32_t> twins(faces, None);
   std::vector<std::uint32_t> lowest(faces);
-  ParallelFor(0, faces, Grain,
+  ParallelFor(0, faces, FaceGrain,
     [&](vtkIdType face)
     { lowest[face] = GetSortedIds(mesh, static_cast<std::uint32_t>(face))[0]; });
 
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> FaceAdjacency::FindTwins(const TetrahedraMesh& mesh)
   RadixSorter radix;
   radix.Sort(lowest.data(), faces, order.data());
 
-  vtkSMPTools::For(0, faces, Grain,
+  vtkSMPTools::For(0, faces, FaceGrain,
     [&](vtkIdType first, vtkIdType last)
     {
       // A group of faces with the same lowest point id is processed in the range in which it

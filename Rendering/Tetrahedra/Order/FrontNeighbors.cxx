@@ -13,7 +13,7 @@ namespace interlume
 
 namespace
 {
-constexpr vtkIdType Grain = 8192;
+constexpr vtkIdType NeighborGrain = 8192;
 
 // Corners of each face, counterclockwise as seen from outside if the volume is positive.
 constexpr int Outward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
@@ -65,7 +65,7 @@ void FrontNeighbors::Build(const TetrahedraMesh& mesh, const std::vector<std::ui
   this->Radius = mesh.GetRadius();
   const std::uint32_t number = mesh.GetNumberOfTetrahedra();
   std::vector<unsigned char> orientations(number);
-  ParallelFor(0, number, Grain,
+  ParallelFor(0, number, NeighborGrain,
     [&](vtkIdType t) { orientations[t] = FindOrientation(mesh, static_cast<std::uint32_t>(t)); });
   this->Tetrahedra.resize(number);
   this->OpenFaces.clear();
@@ -95,7 +95,7 @@ void FrontNeighbors::Compute(
 {
   const EdgeOnRule rule(view, this->Radius);
   inFront.resize(this->Tetrahedra.size());
-  ParallelFor(0, static_cast<vtkIdType>(this->Tetrahedra.size()), Grain,
+  ParallelFor(0, static_cast<vtkIdType>(this->Tetrahedra.size()), NeighborGrain,
     [&](vtkIdType t)
     {
       const Edges e(mesh, static_cast<std::uint32_t>(t));

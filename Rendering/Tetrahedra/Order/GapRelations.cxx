@@ -16,7 +16,7 @@ namespace interlume
 
 namespace
 {
-constexpr vtkIdType Grain = 2048;
+constexpr vtkIdType GapGrain = 2048;
 // Number of rows per band. The event lists of a band should fit in the CPU cache.
 constexpr int BandHeight = 16;
 
@@ -90,7 +90,7 @@ void OpenFaceRaster::FindRows()
 {
   const std::vector<std::uint32_t>& faces = this->Sides.GetOpenFaces();
   this->Rows.resize(faces.size());
-  ParallelFor(0, static_cast<vtkIdType>(faces.size()), Grain,
+  ParallelFor(0, static_cast<vtkIdType>(faces.size()), GapGrain,
     [&](vtkIdType i)
     {
       bool isEdgeOn = false;

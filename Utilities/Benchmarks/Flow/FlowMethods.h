@@ -23,6 +23,7 @@
 namespace flow
 {
 inline const char* const Baseline = "streamtracer";
+inline const char* const Norm = "mean distance of the ends from the streamlines";
 
 /// Limits of the integration time and number of steps of vtkImplicitFlowField, and of the length of
 /// streamlines of vtkStreamTracer. They are large, so that rows show the cost of explicit methods

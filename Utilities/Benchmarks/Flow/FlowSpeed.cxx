@@ -22,7 +22,6 @@ namespace
 const char* const Advection = "advection";
 const char* const EqualError = "equal-error";
 const char* const EqualAgain = "equal-error-again";
-const char* const Norm = "mean distance of the ends from the streamlines";
 constexpr double DefaultTolerance = 1e-6;
 /// Rounding error of vtkStreamTracer's points at coordinates near 1. On images, the points have
 /// single precision.

@@ -14,7 +14,6 @@ namespace flow
 {
 namespace
 {
-const char* const Norm = "mean distance of the ends from the streamlines";
 const char* const Automatic = "automatic";
 constexpr double ClaimedTolerance = 1e-6;
 

@@ -28,7 +28,7 @@ constexpr std::size_t NumberOfShapes = sizeof(Shapes) / sizeof(Shapes[0]);
 const char* const Colors[] = { "#440154", "#005c96", "#dc501e", "#55b98c", "#f5b43c", "#5a5a5a",
   "#be6ebe", "#146450", "#5a96c8", "#6e3c14" };
 
-std::string Number(double number)
+std::string PlotNumber(double number)
 {
   std::ostringstream text;
   text << number;
@@ -155,12 +155,12 @@ private:
     this->AddText(0.5 * (Left + Right), 36.0, "middle", plot.Title, " font-size=\"22\"");
     this->AddText(0.5 * (Left + Right), Bottom + 54.0, "middle", plot.XLabel);
     this->AddText(0.0, 0.0, "middle", plot.YLabel,
-      " transform=\"translate(30 " + Number(0.5 * (Top + Bottom)) + ") rotate(-90)\"");
+      " transform=\"translate(30 " + PlotNumber(0.5 * (Top + Bottom)) + ") rotate(-90)\"");
     for (const double tick : TicksOf(this->Y))
     {
-      const std::string height = Number(this->Y.At(tick));
-      this->AddPath("M" + Number(Left) + " " + height + "H" + Number(Right), "stroke=\"#e1e1e1\"");
-      this->AddText(Left - 10.0, this->Y.At(tick) + 6.0, "end", Number(tick));
+      const std::string height = PlotNumber(this->Y.At(tick));
+      this->AddPath("M" + PlotNumber(Left) + " " + height + "H" + PlotNumber(Right), "stroke=\"#e1e1e1\"");
+      this->AddText(Left - 10.0, this->Y.At(tick) + 6.0, "end", PlotNumber(tick));
     }
     for (std::size_t i = 0; i < plot.BarLabels.size(); ++i)
     {
@@ -170,13 +170,13 @@ private:
     {
       for (const double tick : TicksOf(this->X))
       {
-        const std::string x = Number(this->X.At(tick));
-        this->AddPath("M" + x + " " + Number(Top) + "V" + Number(Bottom), "stroke=\"#e1e1e1\"");
-        this->AddText(this->X.At(tick), Bottom + 26.0, "middle", Number(tick));
+        const std::string x = PlotNumber(this->X.At(tick));
+        this->AddPath("M" + x + " " + PlotNumber(Top) + "V" + PlotNumber(Bottom), "stroke=\"#e1e1e1\"");
+        this->AddText(this->X.At(tick), Bottom + 26.0, "middle", PlotNumber(tick));
       }
     }
     this->AddPath(
-      "M" + Number(Left) + " " + Number(Top) + "V" + Number(Bottom) + "H" + Number(Right),
+      "M" + PlotNumber(Left) + " " + PlotNumber(Top) + "V" + PlotNumber(Bottom) + "H" + PlotNumber(Right),
       "stroke=\"#000\"");
   }
 
@@ -190,9 +190,9 @@ private:
       for (std::size_t j = 0; j < series.X.size(); ++j)
       {
         const double first = series.X[j] - 0.4 + width * static_cast<double>(i);
-        this->AddPath("M" + Number(this->X.At(first)) + " " + Number(Bottom) + "V" +
-            Number(this->Y.At(series.Y[j])) + "H" + Number(this->X.At(first + width)) + "V" +
-            Number(Bottom) + "z",
+        this->AddPath("M" + PlotNumber(this->X.At(first)) + " " + PlotNumber(Bottom) + "V" +
+            PlotNumber(this->Y.At(series.Y[j])) + "H" + PlotNumber(this->X.At(first + width)) + "V" +
+            PlotNumber(Bottom) + "z",
           look);
       }
       this->AddPath("M" + this->AddLegend(series.Label) + "m-30-8h30v16h-30z", look);
@@ -200,7 +200,7 @@ private:
     if (this->Plot.Reference > 0.0)
     {
       this->AddPath(
-        "M" + Number(Left) + " " + Number(this->Y.At(this->Plot.Reference)) + "H" + Number(Right),
+        "M" + PlotNumber(Left) + " " + PlotNumber(this->Y.At(this->Plot.Reference)) + "H" + PlotNumber(Right),
         "stroke=\"#000\" stroke-dasharray=\"8 5\"");
     }
   }
@@ -235,8 +235,8 @@ private:
       {
         continue;
       }
-      const std::string x = Number(this->X.At(point.Cost));
-      const std::string y = Number(this->Y.At(point.Error));
+      const std::string x = PlotNumber(this->X.At(point.Cost));
+      const std::string y = PlotNumber(this->Y.At(point.Error));
       path += path.empty() ? "M" + x + " " + y : "H" + x + "V" + y;
     }
     if (path.find('H') != std::string::npos)
@@ -310,7 +310,7 @@ private:
 
   std::string PositionOf(const BenchPlot::Series& series, std::size_t i) const
   {
-    return Number(this->X.At(series.X[i])) + " " + Number(this->Y.At(series.Y[i]));
+    return PlotNumber(this->X.At(series.X[i])) + " " + PlotNumber(this->Y.At(series.Y[i]));
   }
 
   /// Adds an entry to the legend. Returns the coordinates of the right end of the line sample,
@@ -319,7 +319,7 @@ private:
   {
     this->LegendHeight += 30.0;
     this->AddText(Right + 75.0, this->LegendHeight + 6.0, "start", label, " font-size=\"15\"");
-    return Number(Right + 65.0) + " " + Number(this->LegendHeight);
+    return PlotNumber(Right + 65.0) + " " + PlotNumber(this->LegendHeight);
   }
 
   void AddCaption(const std::string& caption)

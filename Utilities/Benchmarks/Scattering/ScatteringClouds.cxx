@@ -13,7 +13,7 @@ namespace scattering
 {
 namespace
 {
-const char* const Norm = "difference over the mean, mean over pixels";
+const char* const CloudNorm = "difference over the mean, mean over pixels";
 const char* const CloudName = "cloud";
 const char* const Default = "default";
 const char* const Shadowed = "shadowed";
@@ -101,7 +101,7 @@ BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::st
 {
   BenchRow row = rows.Make(CloudName, method, parameter);
   row.Seconds = seconds;
-  row.SetError(Norm, error);
+  row.SetError(CloudNorm, error);
   return row;
 }
 
@@ -214,7 +214,7 @@ std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot = BenchPlot::OfErrors("scattering-cloud",
     "cloud: error against run time, one light", "time of a frame whose light has moved (s)",
-    std::string("error: ") + Norm, "Which scattering mode, and how many grid cells?",
+    std::string("error: ") + CloudNorm, "Which scattering mode, and how many grid cells?",
     "A cloud under one light; labels are changed settings. The reference is Monte Carlo path "
     "tracing, whose own error is also plotted.");
   for (const BenchRow& row : rows)

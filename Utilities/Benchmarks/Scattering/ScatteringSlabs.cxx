@@ -12,7 +12,7 @@ namespace scattering
 {
 namespace
 {
-const char* const Norm = "relative difference of reflection or transmission, the larger one";
+const char* const SlabNorm = "relative difference of reflection or transmission, the larger one";
 
 /// Results published by H. C. van de Hulst, "Multiple Light Scattering", 1980: flux of scattered
 /// light divided by the incident flux.
@@ -42,7 +42,7 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
   const double reflected = drawing.GetFlux(true);
   const double transmitted = drawing.GetFlux(false);
   BenchRow row = rows.Make(slab.Name, mode, drawing.GetCellsAlongThickness());
-  row.SetError(Norm, std::abs(reflected - slab.Reflected) / slab.Reflected);
+  row.SetError(SlabNorm, std::abs(reflected - slab.Reflected) / slab.Reflected);
   row.Set({ { "reflected", reflected }, { "published_reflected", slab.Reflected },
     { "transmitted", transmitted } });
   if (slab.Transmitted > 0.0)

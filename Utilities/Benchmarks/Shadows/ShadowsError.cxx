@@ -29,7 +29,7 @@ const char* const Shaded = ", shaded";
 constexpr double FinestSamples = 0.25;
 constexpr int Repeats = 3;
 
-std::vector<Case> MakeCases(const BenchOptions& options)
+std::vector<Case> MakeErrorCases(const BenchOptions& options)
 {
   const int points = options.Pick(128, 32, 12);
   const int step = options.Pick(2, 8, 16);
@@ -186,7 +186,7 @@ void AddEqualErrorRow(const std::string& name, BenchRows& rows)
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
-  const std::vector<Case> cases = MakeCases(options);
+  const std::vector<Case> cases = MakeErrorCases(options);
   reference::VolumeStage stage(cases.front().Scene.Size);
   for (const Case& what : cases)
   {

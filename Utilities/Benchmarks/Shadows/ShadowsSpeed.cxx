@@ -23,7 +23,7 @@ const char* const Unlit = "unlit";
 const char* const NoLights = "no-lights";
 const std::vector<int> NumbersOfLights = { 1, 2, 4 };
 
-std::vector<Case> MakeCases(const BenchOptions& options)
+std::vector<Case> MakeSpeedCases(const BenchOptions& options)
 {
   std::vector<Case> cases;
   if (options.Size == BenchOptions::FULL)
@@ -179,7 +179,7 @@ std::optional<double> OverFurtherLight(const BenchRow& row)
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
-  const std::vector<Case> cases = MakeCases(options);
+  const std::vector<Case> cases = MakeSpeedCases(options);
   reference::VolumeStage stage(cases.front().Scene.Size);
   for (const Case& what : cases)
   {

@@ -32,7 +32,7 @@ constexpr std::size_t MaximumLightsPerImage = 16;
 
 using Change = std::function<void(vtkShadowedSliceMapper*)>;
 
-std::vector<Case> MakeCases(const BenchOptions& options)
+std::vector<Case> MakeSoftCases(const BenchOptions& options)
 {
   const int points = options.Pick(64, 32, 12);
   const int step = options.Pick(4, 8, 16);
@@ -258,7 +258,7 @@ void AddSceneRows(
  */
 void AddSoftShadowRows(const BenchOptions& options, BenchRows& rows)
 {
-  const std::vector<Case> cases = MakeCases(options);
+  const std::vector<Case> cases = MakeSoftCases(options);
   reference::VolumeStage stage(cases.front().Scene.Size);
   for (const Case& what : cases)
   {
