@@ -37,7 +37,7 @@ struct StageContext
     /// determine their distances from the boundary.
     bool PrefersEdges = false;
   };
-  BoundarySearch Boundary;
+  BoundarySearch Boundary = {};
 };
 
 }

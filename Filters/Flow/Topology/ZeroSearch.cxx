@@ -73,9 +73,9 @@ class ZeroSearch::Worker
 public:
   struct Local
   {
-    std::vector<Zero> Zeros;
+    std::vector<ZeroSearch::Zero> Zeros;
     std::vector<vtkIdType> Marks;
-    Counts Counts;
+    ZeroSearch::Counts Counts;
     CellZeros Solver;
     std::vector<CellZeros::Zero> Found;
     MultilinearCell Cell;
