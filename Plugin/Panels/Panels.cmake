@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Widgets of the properties panel. Included only if the ParaView client is built.
-set(CMAKE_AUTOMOC ON)
 paraview_plugin_add_property_widget(
   KIND       WIDGET
   TYPE       interlume_intervals
