@@ -79,3 +79,7 @@ list(APPEND panel_sources
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqReportPropertyWidget.h"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqSourceCells.cxx"
   "${CMAKE_CURRENT_SOURCE_DIR}/Panels/pqSourceCells.h")
+# ParaView generates sources of the interfaces, which define the same macros.
+set(interface_sources ${panel_sources})
+list(FILTER interface_sources INCLUDE REGEX "Implementation[.]cxx$")
+set_source_files_properties(${interface_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
