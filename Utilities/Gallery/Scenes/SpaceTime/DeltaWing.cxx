@@ -28,6 +28,10 @@ namespace
 {
 using namespace gallery;
 
+/// Colors of the background and of the wing.
+const vtkColor3d SKY_COLOR(0.02, 0.035, 0.08);
+const vtkColor3d WING_COLOR(0.14, 0.16, 0.22);
+
 /// A boundary of a time-varying interval volume (vtkTimeVaryingIntervalVolume::BoundaryKinds), with
 /// the caption and the appearance of its panel.
 struct ShownBoundary
@@ -84,15 +88,19 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
     Panel& panel = stage.AddPanel(boundary.Caption, { -0.7, 0.0, 1.0 });
     panel.Add(
       MakeVolumeOfIntervals(MakeTimeBoundary(interval, { boundary.Kind }), { boundary.Look }));
-    panel.Add(MakeDeltaWing(OutlineColor()));
+    panel.Add(MakeDeltaWing(WING_COLOR));
+    // A gradient separates adjacent panels.
+    panel.SetBackground(SKY_COLOR);
+    panel.GetRenderer()->SetBackground2(0.08, 0.10, 0.16);
+    panel.GetRenderer()->GradientBackgroundOn();
   }
 }
 
 void BuildTimeDelta(gallery::Stage& stage)
 {
   gallery::Panel& panel = gallery::AddTimePanel(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 11.0);
-  panel.SetBackground({ 0.02, 0.035, 0.08 });
-  panel.Add(MakeDeltaWing({ 0.14, 0.16, 0.22 }));
+  panel.SetBackground(SKY_COLOR);
+  panel.Add(MakeDeltaWing(WING_COLOR));
   panel.LookFrom({ -0.3, -0.5, 1.0 }, { 0.0, 0.0, 1.0 });
 }
 
