@@ -59,17 +59,17 @@ void BuildPainted(gallery::Stage& stage)
     gallery::MakePaint(768, 384, [](double, double) { return gallery::Paint{}; });
   gallery::DrawTextLine(image, "flow", gallery::IntervalColor(0), 0.9, 0.75);
   const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane(0.9, 0.45);
-  gallery::Panel& panel = stage.AddPanel("", { -0.1, -1.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { -0.1, -1.0, 0.85 });
   const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(
-    MakeUpdraft(plane, { { 97, 65, 57 }, { -0.9, 0.9, -0.6, 0.6, 0.4, 1.2 } }), image, 0.05);
+    MakeUpdraft(plane, { { 109, 73, 81 }, { -0.9, 0.9, -0.6, 0.6, 0.4, 1.5 } }), image, 0.03);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
-  mapper->SetTimeGate(MakePulses(0.07, 0.03));
-  mapper->SetTimePeriod(1.6);
-  mapper->SetTimePhase(0.07);
+  mapper->SetTimeGate(MakePulses(0.04, 0.0));
+  mapper->SetTimePeriod(2.0);
+  mapper->SetTimePhase(0.04);
   panel.Add(volume);
   panel.Add(
     gallery::MakeTerminationActor(plane, gallery::MakeInflowTexture(image, { 0.97, 0.97, 0.97 })));
-  panel.Frame(vtkBoundingBox(-0.86, 0.86, -0.46, 0.46, 0.4, 1.15));
+  panel.Frame(vtkBoundingBox(-0.86, 0.86, -0.46, 0.46, 0.4, 1.4));
 }
 
 /// Returns component \a c of the pixel at (u, v).
@@ -238,8 +238,8 @@ void BuildDual(gallery::Stage& stage)
 const gallery::SceneRegistration painted(
   { "inflow-painted", "4.15", "Painted text, advected through the volume",
     "Air rises from a rectangle, rotates and converges. A word is painted on the rectangle. Each "
-    "point of the volume has the color at the inflow point of its streamline. The dye is dense in "
-    "pulses, which show how the flow turns and narrows the word.",
+    "point of the volume has the color at the inflow point of its streamline. The dye is released "
+    "in pulses, which show how the flow turns and narrows the word.",
     {}, &BuildPainted });
 const gallery::SceneRegistration image({ "inflow-image", "4.16", "An image as inflow texture",
   "Wind blows over a globe from the left, turns and converges. The inflow has the colors of an "
