@@ -153,7 +153,7 @@ void BuildBeamsCube(gallery::Stage& stage)
   }
   const TranslucentBox cube = { { 0.84, 0.84, 0.84 }, 2.4, 25.0, 1.2, 0.4 };
   AddTranslucentBox(stage, cube, beams)
-    .Look({ 0.1, -1.0, 0.25 }, vtkBoundingBox(-0.72, 0.72, -0.3, 0.3, -0.6, 0.6));
+    .Look({ 0.1, -1.0, 0.25 }, vtkBoundingBox(-0.6, 0.6, -0.3, 0.3, -0.6, 0.6));
 }
 
 const gallery::SceneRegistration beamsCube(
