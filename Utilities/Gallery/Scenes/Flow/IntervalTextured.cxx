@@ -14,8 +14,11 @@
 namespace
 {
 /// Range of advection times: from a place inside the rim to the top.
-constexpr double START = 0.55;
+constexpr double START = 0.45;
 constexpr double END = 6.0;
+
+/// Few enough lines to fit everywhere on the surface, so that no line fades.
+constexpr int LINES = 32;
 
 void Build(gallery::Stage& stage)
 {
@@ -26,10 +29,12 @@ void Build(gallery::Stage& stage)
   gallery::SetGradientNormals(surface->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
   gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.35 });
   panel.Add(gallery::MakeActorWithLines(surface, gallery::IntervalColor(2),
-    gallery::MakeArcLengthTexture(48, gallery::TextColor(), 16), nullptr));
+    gallery::MakeArcLengthTexture(16, gallery::TextColor(), LINES), nullptr));
   panel.Add(gallery::MakeVolumeOfIntervals(
     gallery::MakeStreamVolume(gallery::MakeTornado(6.5).Samples, 0.06, 0.16, START, END),
     { { gallery::IntervalColor(0), 1.8 } }));
+  // The upper end is above the image.
+  panel.Frame(vtkBoundingBox(-0.85, 0.85, -0.1, 0.1, -1.16, 0.05));
 }
 
 const gallery::SceneRegistration registration(
