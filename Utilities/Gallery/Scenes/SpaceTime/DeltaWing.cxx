@@ -89,10 +89,7 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
     panel.Add(
       MakeVolumeOfIntervals(MakeTimeBoundary(interval, { boundary.Kind }), { boundary.Look }));
     panel.Add(MakeDeltaWing(WING_COLOR));
-    // A gradient separates adjacent panels.
-    panel.SetBackground(SKY_COLOR);
-    panel.GetRenderer()->SetBackground2(0.08, 0.10, 0.16);
-    panel.GetRenderer()->GradientBackgroundOn();
+    UseDarkGradient(panel, SKY_COLOR, { 0.08, 0.10, 0.16 });
   }
 }
 

@@ -73,8 +73,9 @@ void BuildTimeBoundaries(gallery::Stage& stage)
     gallery::Panel& panel =
       stage.AddPanel(captions[static_cast<std::size_t>(kind)], { 0.25, -1.0, 0.55 });
     panel.SetAmbientOcclusion(0.0);
+    gallery::UseDarkGradient(panel, { 0.05, 0.055, 0.07 }, { 0.11, 0.12, 0.15 });
     vtkSmartPointer<vtkVolume> volume =
-      gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 1.2);
+      gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 2.0);
     panel.Add(volume);
     panel.Add(
       gallery::MakeActor(gallery::MakeSurface(gallery::MakeTimeBoundary(interval, { kind })),
