@@ -10,6 +10,7 @@
 #include "Static/Extraction.h"
 #include "Static/ExtractionInput.h"
 #include "Static/ExtractionRun.h"
+#include "Static/SurfaceCells.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -127,6 +128,7 @@ int vtkIntervalVolume::RequestData(
   }
   interlume::ExtractionRun run(
     this, names, index, this->GetPreviewCellLimit(), this->GetSizeWarningLimit());
+  run.GetEmptyOutputDiagnosis().SetMinimumDimension(this->ExtractSurfaceCells ? 2 : 3);
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
@@ -152,21 +154,24 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
     return;
   }
   const interlume::BlockPool::Use use(this->Memory.get());
-  const int passes = 1 + this->GetNumberOfCriteria();
+  const auto found = interlume::SurfaceCells::FindDimensions(input);
+  const bool hasSurfaces = this->ExtractSurfaceCells && found.HasSurfaces;
+  const bool isMixed = hasSurfaces && found.HasSolids;
   const double begin = this->GetProgressShift();
-  const double scale = this->GetProgressScale() / passes;
-  this->SetProgressShiftScale(begin, scale);
-  this->SetProgressText("Extracting the intervals");
-  interlume::InteriorCellPass interiorPass;
-  interlume::InteriorCellPass* const whole = this->KeepInteriorCells ? &interiorPass : nullptr;
-  bool completed = this->ExtractIntervals(input, scalars, run, whole, output, boundary);
-  run.GetEmptyOutputDiagnosis().Add(input, scalars, output->GetNumberOfCells());
-  for (int pass = 1; completed && pass < passes; ++pass)
+  const double scale = this->GetProgressScale();
+  this->SetProgressShiftScale(begin, isMixed ? 0.5 * scale : scale);
+  bool completed = this->ExtractCells(
+    hasSurfaces && !isMixed ? 2 : 3, isMixed, input, scalars, run, output, boundary);
+  if (completed && isMixed)
   {
-    this->SetProgressText(
-      ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
-    this->SetProgressShiftScale(begin + pass * scale, scale);
-    completed = this->ApplyCriterion(pass - 1, run, whole, output, boundary);
+    vtkNew<vtkUnstructuredGrid> surfaces;
+    vtkNew<vtkUnstructuredGrid> lines;
+    this->SetProgressShiftScale(begin + 0.5 * scale, 0.5 * scale);
+    completed = this->ExtractCells(2, isMixed, input, scalars, run, surfaces, lines);
+    if (completed)
+    {
+      interlume::SurfaceCells::Append(surfaces, lines, output, boundary);
+    }
   }
   for (vtkUnstructuredGrid* grid : { output, boundary })
   {
@@ -181,10 +186,38 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
     // Restore the field data of the outputs, which criteria or an abort may have cleared.
     grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   }
+}
+
+bool vtkIntervalVolume::ExtractCells(int dimension, bool isMixed, vtkDataSet* input,
+  vtkDataArray* scalars, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
+  vtkUnstructuredGrid* boundary)
+{
+  const int passes = 1 + this->GetNumberOfCriteria();
+  const double begin = this->GetProgressShift();
+  const double scale = this->GetProgressScale() / passes;
+  this->SetProgressShiftScale(begin, scale);
+  this->SetProgressText("Extracting the intervals");
+  interlume::InteriorCellPass interiorPass;
+  interlume::InteriorCellPass* const whole =
+    this->KeepInteriorCells && dimension == 3 ? &interiorPass : nullptr;
+  bool completed =
+    this->ExtractIntervals(dimension, isMixed, input, scalars, run, whole, output, boundary);
+  // In a mixed dataset, the first of two extractions has added the input already.
+  const bool isAdded = isMixed && dimension == 2;
+  run.GetEmptyOutputDiagnosis().Add(
+    isAdded ? nullptr : input, isAdded ? nullptr : scalars, output->GetNumberOfCells());
+  for (int pass = 1; completed && pass < passes; ++pass)
+  {
+    this->SetProgressText(
+      ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
+    this->SetProgressShiftScale(begin + pass * scale, scale);
+    completed = this->ApplyCriterion(dimension, pass - 1, run, whole, output, boundary);
+  }
   if (completed)
   {
     run.GetReport().Passes = passes;
   }
+  return completed;
 }
 
 void vtkIntervalVolume::BeginMemory()
@@ -211,9 +244,9 @@ void vtkIntervalVolume::EndMemory(interlume::ExtractionReport& report)
   }
 }
 
-bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
-  interlume::ExtractionRun& run, interlume::InteriorCellPass* whole, vtkUnstructuredGrid* output,
-  vtkUnstructuredGrid* boundary)
+bool vtkIntervalVolume::ExtractIntervals(int dimension, bool isMixed, vtkDataSet* input,
+  vtkDataArray* scalars, interlume::ExtractionRun& run, interlume::InteriorCellPass* whole,
+  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
   for (const Criterion& criterion : this->Criteria)
   {
@@ -232,17 +265,19 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   extraction.Warning = &run.GetSizeWarning();
   extraction.Index = run.GetIndex();
   extraction.IdName = "IntervalId";
+  extraction.Dimension = dimension;
+  extraction.IsMixed = isMixed;
   extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
   extraction.GenerateBoundaries = this->GenerateBoundaries;
   extraction.GenerateOriginArrays =
     this->GenerateOriginArrays && this->Criteria.empty() && !run.IsCoarse();
   extraction.InteriorPass = whole;
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
-  run.Add(input, this->GetOutputPointsPrecision(), report);
+  run.Add(input, dimension, this->GetOutputPointsPrecision(), report);
   return completed;
 }
 
-bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run,
+bool vtkIntervalVolume::ApplyCriterion(int dimension, int number, interlume::ExtractionRun& run,
   interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
 {
   const Criterion& criterion = this->Criteria[number];
@@ -258,6 +293,7 @@ bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run
   interlume::Extraction extraction;
   extraction.Owner = this;
   extraction.Values = &values;
+  extraction.Dimension = dimension;
   extraction.KeepOrientation = true;
   extraction.InteriorPass = whole;
   extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
@@ -289,6 +325,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateOriginArrays: " << this->GenerateOriginArrays << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
   os << indent << "ReuseMemory: " << this->ReuseMemory << "\n";
+  os << indent << "ExtractSurfaceCells: " << this->ExtractSurfaceCells << "\n";
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -28,7 +28,7 @@ struct InteriorCellPass;
 
 /**
  * @class   vtkIntervalVolume
- * @brief   extract the region between two isovalues as tetrahedra
+ * @brief   extract the region between two isovalues as tetrahedra or triangles
  *
  * Extracts the interval volume { x : lower <= f(x) <= upper } of a scalar array, for any
  * number of intervals. Each cell is lifted by one dimension, its isosurface is looked up in an
@@ -36,12 +36,12 @@ struct InteriorCellPass;
  * different types. For the method, see Documentation/methods/interval-volumes.md; for timings, see
  * Documentation/measurements.md.
  *
- * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid with tetrahedra,
- * voxels, hexahedra, wedges, pyramids and convex polyhedra, and composite datasets of these.
- * Quadratic cells are treated as linear, with a warning. A concave polyhedron produces overlapping
- * tetrahedra, with a warning. Cells are skipped, and counted in GetReport(), if they are
- * lower-dimensional, ghost, hidden or blanked, or if a corner has a NaN or infinite scalar or
- * coordinate. For the selection of the scalar, and for cell arrays, see vtkIntervalAlgorithm.
+ * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkPolyData, vtkUnstructuredGrid with
+ * tetrahedra, voxels, hexahedra, wedges, pyramids, convex polyhedra and polygons, and composite
+ * datasets of these. Quadratic cells are treated as linear, with a warning. A concave polyhedron
+ * produces overlapping tetrahedra, with a warning. Cells are skipped, and counted in GetReport(), if
+ * they have less than two dimensions, are ghost, hidden or blanked, or if a corner has a NaN or
+ * infinite scalar or coordinate. For the scalar, and for cell arrays, see vtkIntervalAlgorithm.
  *
  * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid. A composite input produces a composite
  * output of the same structure. Arrays:
@@ -54,6 +54,11 @@ struct InteriorCellPass;
  * outward from their interval. They use the points and point ids of port 0 and have its point
  * arrays, the cell arrays above, and the cell array `BoundarySide` (int; 0 lower, 1 upper).
  *
+ * Two-dimensional cells become VTK_TRIANGLE cells with the orientation of the cell, and VTK_LINE
+ * cells at the boundary, with the interval to their left. If there are three-dimensional cells too,
+ * the triangles and lines follow the other cells and do not share points with them. Strips, concave
+ * quadrilaterals and polygons with more than four corners are split into triangles first.
+ *
  * Values equal to a bound: f = lower is inside. f = upper is inside unless another interval of
  * nonzero width starts at that value. Adjacent intervals of one filter therefore tile the domain
  * without gaps or overlap. The interval [a, a] consists of the cells whose corners are all equal to
@@ -61,15 +66,16 @@ struct InteriorCellPass;
  *
  * Interior cells: with KeepInteriorCells, a cell that lies inside an interval and satisfies all
  * criteria is copied instead of cut. Port 0 then has the tetrahedra first, followed by these cells,
- * both in input order. Interior cells of image data and rectilinear grids are voxels, or hexahedra
- * if the image data is rotated. A copied cell has quadrilateral faces where its cut neighbor has
- * two triangles. A face that is not planar may leave a gap or an overlap there; see NonPlanarFaces
- * of GetReport(). vtkTimeWeightedTetrahedraMapper accepts tetrahedra only.
+ * both in input order. Two-dimensional cells are cut. Interior cells of image data and rectilinear
+ * grids are voxels, or hexahedra if the image is rotated. A copied cell has quadrilateral faces
+ * where its cut neighbor has two triangles, so a face that is not planar may leave a gap or an
+ * overlap; see NonPlanarFaces of GetReport(). vtkTimeWeightedTetrahedraMapper accepts tetrahedra
+ * only.
  *
- * Distributed grids: unstructured partitions need global point ids, so that faces between
- * partitions match. The ids may have any integer type. The filter requests one layer of ghost
- * cells. The outputs of all partitions together are then bit-identical to the extraction of the
- * full grid. Ghost cells produce no output. The result does not depend on the number of threads.
+ * Distributed grids: unstructured partitions need global point ids of any integer type, so that
+ * faces between partitions match. The filter requests one layer of ghost cells, which produce no
+ * output. The outputs of all partitions together are then bit-identical to the extraction of the
+ * full grid. The result does not depend on the number of threads.
  *
  * Errors (vtkErrorMacro, empty output): a missing or invalid scalar or criterion array, lower >
  * upper, a bound that is not finite, invalid global ids, or a malformed cell.
@@ -125,8 +131,8 @@ public:
 
   ///@{
   /**
-   * If true, copy cells that lie inside an interval and satisfy all criteria, and cut only the
-   * other cells into tetrahedra. Default off.
+   * If true, copy three-dimensional cells that lie inside an interval and satisfy all criteria, and
+   * cut only the other cells. Default off.
    */
   vtkSetMacro(KeepInteriorCells, bool);
   vtkGetMacro(KeepInteriorCells, bool);
@@ -174,13 +180,24 @@ public:
   interlumeDeprecatedBooleanMacro(KeepMemory, ReuseMemory);
   ///@}
 
+  ///@{
+  /**
+   * If true, extract two-dimensional cells, also next to three-dimensional cells. If false, skip
+   * them, so that the output has no triangles. Default on.
+   */
+  vtkSetMacro(ExtractSurfaceCells, bool);
+  vtkGetMacro(ExtractSurfaceCells, bool);
+  vtkBooleanMacro(ExtractSurfaceCells, bool);
+  ///@}
+
   /**
    * Return the report of the last execution:
    * - Cells, CellsWithOutput: number of input cells, and of cells with output
    * - BlankedCells: cells skipped because the cell or one of its points is blanked, hidden or a
    *   ghost
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
-   * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type
+   * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type. With
+   *   ExtractSurfaceCells, only cells of less than two dimensions are lower-dimensional.
    * - LinearizedCells: quadratic and higher-order cells treated as linear
    * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
    * - FoldedCells: self-intersecting cells with output
@@ -216,13 +233,18 @@ private:
   /// Extracts the intervals from one dataset.
   void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);
+  /// Extracts the intervals, restricted by the criteria, from the cells of one dimension. \a isMixed
+  /// is true if cells of the other dimension are extracted too. Returns false if the user aborted.
+  bool ExtractCells(int dimension, bool isMixed, vtkDataSet* input, vtkDataArray* scalars,
+    interlume::ExtractionRun& run, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
   /// Runs the first pass. \a whole is null if interior cells are cut too. Returns false if the user
   /// aborted.
-  bool ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars, interlume::ExtractionRun& run,
-    interlume::InteriorCellPass* whole, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
+  bool ExtractIntervals(int dimension, bool isMixed, vtkDataSet* input, vtkDataArray* scalars,
+    interlume::ExtractionRun& run, interlume::InteriorCellPass* whole, vtkUnstructuredGrid* output,
+    vtkUnstructuredGrid* boundary);
   /// Cuts the previous result by one criterion. Returns false if the user aborted.
-  bool ApplyCriterion(int number, interlume::ExtractionRun& run, interlume::InteriorCellPass* whole,
-    vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
+  bool ApplyCriterion(int dimension, int number, interlume::ExtractionRun& run,
+    interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
 
   ///@{
   /// Start and end the use of the block pool in an execution.
@@ -236,6 +258,7 @@ private:
   bool GenerateOriginArrays = false;
   bool UseValueIndex = true;
   bool ReuseMemory = false;
+  bool ExtractSurfaceCells = true;
   vtkNew<vtkInterlumeReport> Report;
   vtkSmartPointer<interlume::ExtractionIndex> Index;
   /// Null if memory reuse is off.

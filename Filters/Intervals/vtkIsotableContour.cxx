@@ -157,7 +157,7 @@ void vtkIsotableContour::ExtractFrom(
   interlume::ExtractionArrays::ActivateScalars(scalars->GetName(), output->GetPointData());
   run.GetEmptyOutputDiagnosis().Add(input, scalars, output->GetNumberOfCells());
   report.Passes = 1;
-  run.Add(input, this->OutputPointsPrecision, report);
+  run.Add(input, 3, this->OutputPointsPrecision, report);
 }
 
 void vtkIsotableContour::PrintSelf(ostream& os, vtkIndent indent)

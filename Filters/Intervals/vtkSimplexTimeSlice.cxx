@@ -268,7 +268,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   empty.Add(input, nullptr, output->GetNumberOfCells());
   report.Tetrahedra += output->GetNumberOfCells();
   report.NonFiniteSimplices += slice.NonFiniteCells;
-  const std::string skipped = nonFinite.Describe(input, true);
+  const std::string skipped = nonFinite.Describe(input, 4);
   if (!skipped.empty())
   {
     vtkWarningMacro(<< skipped);

@@ -113,11 +113,23 @@ private:
       else
       {
         this->Append(facet.Points, result);
-        this->AppendFaces(patch.GetFaces(facet), result);
+        this->AppendFaces(this->Cell.Dimension == 2 ? GetSides(patch.GetPolygon(facet))
+                                                    : patch.GetFaces(facet),
+          result);
       }
     }
     std::sort(result.Slots.begin(), result.Slots.end());
     result.Slots.erase(std::unique(result.Slots.begin(), result.Slots.end()), result.Slots.end());
+  }
+
+  static std::vector<CasePatch::PointList> GetSides(const CasePatch::PointList& polygon)
+  {
+    std::vector<CasePatch::PointList> sides;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      sides.push_back({ polygon[i], polygon[(i + 1) % polygon.size()] });
+    }
+    return sides;
   }
 
   void AppendFaces(const std::vector<CasePatch::PointList>& faces, Case& result) const
@@ -165,6 +177,7 @@ vtkIsotable::vtkIsotable(Kinds kind, const std::vector<std::array<int, 3>>& vert
 
 vtkIsotable::vtkIsotable(Kinds kind, const Polytope& cell)
   : Kind(kind)
+  , SimplexSize(cell.Dimension + (kind == INTERVAL ? 1 : 0))
   , NumberOfVertices(static_cast<int>(cell.Vertices.size()))
   , NumberOfEdges(static_cast<int>(cell.Edges.size()))
   , Edges(cell.GetSortedEdges())
@@ -185,9 +198,11 @@ const vtkIsotable& vtkIsotable::Get(Kinds kind, Shapes shape)
 {
   static const vtkIsotable tables[2][NUMBER_OF_SHAPES] = {
     { { CONTOUR, Polytope::FromShape(0) }, { CONTOUR, Polytope::FromShape(1) },
-      { CONTOUR, Polytope::FromShape(2) }, { CONTOUR, Polytope::FromShape(3) } },
+      { CONTOUR, Polytope::FromShape(2) }, { CONTOUR, Polytope::FromShape(3) },
+      { CONTOUR, Polytope() }, { CONTOUR, Polytope() } },
     { { INTERVAL, Polytope::FromShape(0) }, { INTERVAL, Polytope::FromShape(1) },
-      { INTERVAL, Polytope::FromShape(2) }, { INTERVAL, Polytope::FromShape(3) } }
+      { INTERVAL, Polytope::FromShape(2) }, { INTERVAL, Polytope::FromShape(3) },
+      { INTERVAL, Polytope::FromShape(4) }, { INTERVAL, Polytope::FromShape(5) } }
   };
   return tables[kind][shape];
 }

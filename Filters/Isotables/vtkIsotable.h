@@ -17,10 +17,10 @@ class Polytope;
 
 /**
  * @class   vtkIsotable
- * @brief   case table of a three-dimensional cell, for isosurfaces or interval volumes
+ * @brief   case table of a cell, for isosurfaces or interval volumes
  *
  * Get() returns the table of a VTK cell. The constructor creates the table of any other convex
- * cell. Cases are computed from convex hulls in integer arithmetic at their first use (P.
+ * three-dimensional cell. Cases are computed from convex hulls in integer arithmetic at their first use (P.
  * Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex hulls",
  * IEEE TVCG 10(2), 2004). Any thread may request a case. A reference to a case remains valid as
  * long as the table exists. See Documentation/methods/isotables.md.
@@ -47,6 +47,11 @@ class Polytope;
  * tetrahedra have positive volume. Normals of contour triangles point toward lower values. Normals
  * of boundary triangles point out of the interval.
  *
+ * Two-dimensional cells have interval tables only; their contour tables have no cases. Vertices are
+ * in the order of VTK_TRIANGLE, and VTK_PIXEL for the quadrilateral. A simplex is a triangle with
+ * the orientation of the cell. Its boundary consists of line segments with the interval to their
+ * left, given as two slots, the second one repeated, and the side.
+ *
  * @sa vtkIsotableContour vtkIntervalVolume
  */
 class INTERLUMEISOTABLES_EXPORT vtkIsotable
@@ -63,13 +68,17 @@ public:
     PYRAMID,
     WEDGE,
     HEXAHEDRON,
+    /// Number of three-dimensional shapes, which precede the others.
+    NUMBER_OF_SOLIDS,
+    TRIANGLE = NUMBER_OF_SOLIDS,
+    QUADRILATERAL,
     NUMBER_OF_SHAPES
   };
   static constexpr int MaximumNumberOfVertices = 8;
   static constexpr int MaximumNumberOfSlots = 32;
 
   using Slot = std::uint8_t;
-  /// Slots of a tetrahedron, or of a contour triangle (the fourth entry is unused).
+  /// Slots of a tetrahedron or a triangle (the fourth entry is unused).
   using Simplex = std::array<Slot, 4>;
   /// Boundary triangle of an interval: three slots, then 0 for the lower or 1 for the upper side.
   using Triangle = std::array<Slot, 4>;
@@ -83,8 +92,8 @@ public:
     std::vector<Slot> Slots;
     /// Convex pieces. A piece of an interval is stored as its number of points, its points, its
     /// number of faces, and for each face its side (0, 1 or NoSide), its number of points, and its
-    /// points in cyclic order. A piece of a contour is one face: its number of points and its
-    /// points.
+    /// points in cyclic order. The faces of a polygon are its sides. A piece of a contour is one
+    /// face: its number of points and its points.
     std::vector<Slot> Pieces;
   };
   static constexpr Slot NoSide = 255;
@@ -106,6 +115,8 @@ public:
   void operator=(const vtkIsotable&) = delete;
 
   Kinds GetKind() const { return this->Kind; }
+  /// Return the number of points of a simplex: 4 for a tetrahedron, 3 for a triangle.
+  int GetSimplexSize() const { return this->SimplexSize; }
   int GetNumberOfVertices() const { return this->NumberOfVertices; }
   int GetNumberOfEdges() const { return this->NumberOfEdges; }
   int GetNumberOfCases() const { return static_cast<int>(this->Cases.size()); }
@@ -154,7 +165,8 @@ public:
 
   /**
    * Triangulate only the faces of the pieces of an interval case. Calls triangle(a, b, c, slots,
-   * number) for each outward triangle, with the slots of the face that contains it.
+   * number) for each outward triangle, with the slots of the face that contains it. For a side of a
+   * polygon, c is equal to b.
    */
   template <typename Visitor>
   void CutSides(const Case& source, const RankArray& ranks, Visitor&& triangle) const
@@ -210,11 +222,16 @@ private:
   }
 
   // Splits a polygon into a fan around its point of lowest rank. Calls fan(a, b, c) for each
-  // triangle.
+  // triangle, or fan(a, b, b) for two points.
   template <typename Ranks, typename Name, typename Fan>
   static void PullPolygon(
     const Slot* slots, int number, const Ranks& ranks, const Name& name, Fan&& fan)
   {
+    if (number == 2)
+    {
+      fan(name(slots[0]), name(slots[1]), name(slots[1]));
+      return;
+    }
     int start = 0;
     for (int i = 1; i < number; ++i)
     {
@@ -268,7 +285,7 @@ private:
         {
           if (!holdsApex)
           {
-            simplex(Simplex{ { a, c, b, apex } });
+            simplex(number == 2 ? Simplex{ { a, b, apex, 0 } } : Simplex{ { a, c, b, apex } });
           }
           if (side != NoSide)
           {
@@ -285,6 +302,7 @@ private:
   const Case& MakeCase(int key) const;
 
   Kinds Kind;
+  int SimplexSize;
   int NumberOfVertices;
   int NumberOfEdges;
   std::vector<std::array<Slot, 2>> Edges;

@@ -209,7 +209,7 @@ void TestStatistics(reference::Check& check)
 int TestIsotableCache(int, char*[])
 {
   reference::Check check;
-  for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+  for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SOLIDS; ++shape)
   {
     check.SetContext(Names[shape]);
     SpaceTimeTable& cache = SpaceTimeTable::Get(static_cast<vtkIsotable::Shapes>(shape));

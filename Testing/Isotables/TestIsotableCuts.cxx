@@ -25,7 +25,7 @@ using Slot = vtkIsotable::Slot;
 bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937& random)
 {
   const vtkIsotable& table = vtkIsotable::Get(kind, shape);
-  const int size = kind == vtkIsotable::INTERVAL ? 4 : 3;
+  const int size = table.GetSimplexSize();
   std::array<Slot, 8> vertexRanks;
   std::iota(vertexRanks.begin(), vertexRanks.end(), Slot(0));
   const int step = std::max(1, table.GetNumberOfCases() / 300);

@@ -184,8 +184,7 @@ void TestFlatLattices(StabilityCatalogue& catalogue)
     const char* Name;
     std::array<int, 3> Cells;
     vtkIdType Count;
-  } const cases[] = { { "plane", { 3, 2, 0 }, 6 }, { "line", { 0, 4, 0 }, 4 },
-    { "point", { 0, 0, 0 }, 1 } };
+  } const cases[] = { { "line", { 0, 4, 0 }, 4 }, { "point", { 0, 0, 0 }, 1 } };
   for (const auto& one : cases)
   {
     auto image = MakeImage(one.Cells);

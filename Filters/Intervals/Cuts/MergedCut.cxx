@@ -12,9 +12,14 @@ namespace interlume
 
 namespace
 {
-// Cell faces are read from an interval table because contour tables do not contain them.
-const vtkIsotable& GetIntervalTable(int vertices)
+// Returns the table from which the faces of a cell with the given number of vertices are read if
+// \a table is a contour table, which does not contain them.
+const vtkIsotable& GetIntervalTable(const vtkIsotable& table, int vertices)
 {
+  if (table.GetKind() == vtkIsotable::INTERVAL)
+  {
+    return table;
+  }
   int shape = 0;
   while (vtkIsotable::Get(vtkIsotable::INTERVAL, static_cast<vtkIsotable::Shapes>(shape))
            .GetNumberOfVertices() != vertices)
@@ -47,7 +52,7 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
   }
   else
   {
-    const int size = table.GetKind() == vtkIsotable::INTERVAL ? 4 : 3;
+    const int size = table.GetSimplexSize();
     table.CutMerged(
       what, ranks, same,
       [this, size](const Simplex& simplex)
@@ -57,9 +62,9 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
           this->Simplices.push_back(simplex);
         }
       },
-      [this, hasSides](const Triangle& triangle)
+      [this, hasSides, size](const Triangle& triangle)
       {
-        if (hasSides && !CoincidentSlots::IsCollapsed(triangle.data(), 3))
+        if (hasSides && !CoincidentSlots::IsCollapsed(triangle.data(), size - 1))
         {
           this->Triangles.push_back(triangle);
         }
@@ -72,6 +77,7 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
     else
     {
       OppositePairs::Remove<3>(this->Simplices);
+      OppositePairs::Remove<2>(this->Triangles);
     }
   }
   // The cut may have more simplices than the case if its slot order differs from the table's.
@@ -91,7 +97,7 @@ void MergedCut::AddSides(const vtkIsotable& table, const Item& item, const Code*
       if (std::all_of(polygon, polygon + number, [&](Slot vertex) { return codes[vertex] == tie; }))
       {
         const Triangle triangle{ { same[b], same[a], same[c], side } };
-        if (!CoincidentSlots::IsCollapsed(triangle.data(), 3))
+        if (!CoincidentSlots::IsCollapsed(triangle.data(), table.GetSimplexSize() - 1))
         {
           this->Triangles.push_back(triangle);
         }
@@ -105,7 +111,7 @@ void MergedCut::FindFaces(const vtkIsotable& table)
   const int edges = table.GetNumberOfEdges();
   this->FaceTable = &table;
   this->Faces.clear();
-  const vtkIsotable& intervalTable = GetIntervalTable(vertices);
+  const vtkIsotable& intervalTable = GetIntervalTable(table, vertices);
   intervalTable.CutSides(intervalTable.GetCase(CoincidentSlots::GetAllInsideKey(vertices)),
     vtkIsotable::RankArray{},
     [this](Slot, Slot, Slot, const Slot* polygon, int number)

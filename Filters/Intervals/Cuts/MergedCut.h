@@ -48,8 +48,7 @@ public:
 
   const std::vector<Simplex>& GetSimplices() const { return this->Simplices; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// Returns true if the points of a tetrahedron, or of a contour triangle, all lie in one face of
-  /// the cell. The neighbor cell at this face may have the same simplex with opposite orientation.
+  /// Returns true if the points of a tetrahedron or triangle all lie in one face of the cell. The neighbor cell at this face may have the same simplex with opposite orientation.
   bool IsInFace(const vtkIsotable& table, const Simplex& simplex)
   {
     if (this->FaceTable != &table)
@@ -57,7 +56,7 @@ public:
       this->FindFaces(table);
     }
     // The fourth slot of a triangle is unused.
-    const Slot last = simplex[table.GetKind() == vtkIsotable::INTERVAL ? 3 : 2];
+    const Slot last = simplex[table.GetSimplexSize() - 1];
     return (this->FacesOf[simplex[0]] & this->FacesOf[simplex[1]] & this->FacesOf[simplex[2]] &
              this->FacesOf[last]) != 0;
   }

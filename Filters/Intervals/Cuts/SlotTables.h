@@ -34,7 +34,7 @@ struct TableCell
   Code Codes[MaximumNumberOfVertices] = {};
   /// If true, the corner ids are in ascending order, and the cut stored in the table applies.
   bool IsAscending = true;
-  /// If true, reordering a tetrahedron has reversed its orientation.
+  /// If true, reordering a tetrahedron or triangle has reversed its orientation.
   bool IsReflected = false;
 
   int GetNumberOfVertices() const { return Steps * this->NumberOfCorners; }
@@ -68,11 +68,11 @@ public:
     bool IsUpper;
   };
 
-  /// Initializes the tables with getTable(shape).
+  /// Initializes the tables of the first \a number shapes with getTable(shape).
   template <typename GetTable>
-  explicit SlotTables(GetTable&& getTable)
+  SlotTables(int number, GetTable&& getTable)
   {
-    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    for (int shape = 0; shape < number; ++shape)
     {
       const Table& table = getTable(static_cast<vtkIsotable::Shapes>(shape));
       this->Tables[shape] = &table;
@@ -140,7 +140,7 @@ public:
   }
 
 private:
-  const Table* Tables[vtkIsotable::NUMBER_OF_SHAPES];
+  const Table* Tables[vtkIsotable::NUMBER_OF_SHAPES] = {};
   SlotEnds Ends[vtkIsotable::NUMBER_OF_SHAPES][MaximumNumberOfSlots];
 };
 

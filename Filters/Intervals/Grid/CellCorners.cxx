@@ -53,6 +53,27 @@ CellCorners CellCorners::Of(int cellType)
       return { POLYHEDRAL, vtkIsotable::TETRAHEDRON, 0, false };
     case VTK_CONVEX_POINT_SET:
       return {};
+    case VTK_TRIANGLE:
+    case VTK_QUADRATIC_TRIANGLE:
+    case VTK_BIQUADRATIC_TRIANGLE:
+    case VTK_HIGHER_ORDER_TRIANGLE:
+    case VTK_LAGRANGE_TRIANGLE:
+    case VTK_BEZIER_TRIANGLE:
+      return { SURFACE, vtkIsotable::TRIANGLE, 3, false };
+    case VTK_PIXEL:
+      return { SURFACE, vtkIsotable::QUADRILATERAL, 4, false };
+    case VTK_QUAD:
+    case VTK_QUADRATIC_QUAD:
+    case VTK_QUADRATIC_LINEAR_QUAD:
+    case VTK_BIQUADRATIC_QUAD:
+    case VTK_HIGHER_ORDER_QUAD:
+    case VTK_LAGRANGE_QUADRILATERAL:
+    case VTK_BEZIER_QUADRILATERAL:
+      return { SURFACE, vtkIsotable::QUADRILATERAL, 4, true };
+    case VTK_POLYGON:
+    case VTK_QUADRATIC_POLYGON:
+    case VTK_TRIANGLE_STRIP:
+      return { SURFACE, vtkIsotable::TRIANGLE, 0, false };
     default:
       return { LOWER_DIMENSIONAL, vtkIsotable::TETRAHEDRON, 0, false };
   }

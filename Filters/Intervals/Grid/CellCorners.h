@@ -20,6 +20,10 @@ public:
     LINEAR,
     /// The cell is treated as linear, using only its corner points.
     HIGHER_ORDER,
+    /// The cell is two-dimensional. A polygon or a strip has no fixed number of corners, which is
+    /// therefore 0.
+    SURFACE,
+    /// The cell has fewer than two dimensions.
     LOWER_DIMENSIONAL,
     /// The cell is a polyhedron, which is defined by its faces.
     POLYHEDRAL,
@@ -29,11 +33,22 @@ public:
   Support Kind = UNSUPPORTED;
   vtkIsotable::Shapes Shape = vtkIsotable::TETRAHEDRON;
   int NumberOfCorners = 0;
-  /// If true, corners 2 and 3, and 6 and 7, are swapped (VTK_HEXAHEDRON orders the corners of a
-  /// quadrilateral cyclically).
+  /// If true, corners 2 and 3, and 6 and 7, are swapped (VTK_HEXAHEDRON and VTK_QUAD order the
+  /// corners of a quadrilateral cyclically).
   bool Turned = false;
 
-  bool HasTable() const { return this->Kind == LINEAR || this->Kind == HIGHER_ORDER; }
+  /// Returns whether an extraction from cells of the given dimension has a table for the cell.
+  bool HasTable(int dimension = 3) const
+  {
+    return dimension == 2 ? this->Kind == SURFACE && this->NumberOfCorners > 0
+                          : this->Kind == LINEAR || this->Kind == HIGHER_ORDER;
+  }
+
+  /// Returns whether the cell has fewer than three dimensions.
+  bool IsLowerDimensional() const
+  {
+    return this->Kind == SURFACE || this->Kind == LOWER_DIMENSIONAL;
+  }
 
   /// Returns the type of the linear cell that replaces a higher-order cell.
   unsigned char GetLinearType() const;

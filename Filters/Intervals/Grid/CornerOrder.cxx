@@ -92,7 +92,11 @@ void CornerOrder::Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const
   switch (shape)
   {
     case vtkIsotable::TETRAHEDRON:
-      std::sort(ids, ids + 4, [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+    case vtkIsotable::TRIANGLE:
+      std::sort(ids, ids + (shape == vtkIsotable::TRIANGLE ? 3 : 4),
+        [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+      break;
+    case vtkIsotable::QUADRILATERAL:
       break;
     case vtkIsotable::PYRAMID:
       this->PermutePyramid(ids);

@@ -64,7 +64,8 @@ public:
    * Permutes the corners of a cell by a symmetry of its shape so that its first corners are in
    * ascending order. Most cells of most meshes then match the precomputed triangulation of the
    * isotable. The symmetry may be a reflection, so determine the orientation from the coordinates
-   * afterward.
+   * afterward. Quadrilaterals remain unchanged, since their orientation cannot be determined from
+   * coordinates.
    */
   void Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const;
 

@@ -16,8 +16,8 @@ namespace interlume
  * @class   ExtractionReport
  * @brief   report of vtkIntervalVolume and vtkIsotableContour
  *
- * For a composite dataset, the report covers all leaves. A polyhedron that is split into parts
- * counts as one cell in Cells. In the other cell counts, each part counts as a cell.
+ * For a composite dataset, the report covers all leaves. A polyhedron or polygon that is split into
+ * parts counts as one cell in Cells. In the other cell counts, each part counts as a cell.
  */
 struct ExtractionReport
 {
@@ -32,7 +32,8 @@ struct ExtractionReport
   vtkIdType CellsByBits = 0;
   /// Number of input cells that produced at least one simplex.
   vtkIdType CellsWithOutput = 0;
-  /// Number of cells skipped because they have fewer than three dimensions.
+  /// Number of cells skipped because they have fewer than three dimensions, or fewer than two if
+  /// two-dimensional cells are extracted.
   vtkIdType LowerDimensionalCells = 0;
   /// Number of cells skipped because a point has a NaN or infinite scalar or coordinate.
   vtkIdType NonFiniteCells = 0;

@@ -82,8 +82,10 @@ double SizeWarning::GetExcess(double tetrahedra, double bytes) const
   return this->Memory > 0.0 ? std::max(excess, bytes / (MemoryFraction * this->Memory)) : excess;
 }
 
-void SizeWarning::Add(double tetrahedra, double bytes, const std::string& advice)
+void SizeWarning::Add(
+  double tetrahedra, double bytes, const std::string& advice, const std::string& cells)
 {
+  this->Sum.Cells = cells;
   this->Sum.Tetrahedra += tetrahedra;
   this->Sum.Bytes += bytes;
   this->Sum.Advice = advice;
@@ -103,7 +105,7 @@ void SizeWarning::Check(const Size& size)
   this->IsIssued = true;
   std::ostringstream words;
   words << "The output will have " << size.Qualifier
-        << Describe(size.Tetrahedra, " million", " billion") << " tetrahedra" << size.Basis
+        << Describe(size.Tetrahedra, " million", " billion") << " " << size.Cells << size.Basis
         << " and take about " << DescribeBytes(size.Bytes);
   if (this->Memory > 0.0)
   {
@@ -112,7 +114,7 @@ void SizeWarning::Check(const Size& size)
   words << ". Extraction and rendering may be slow. " << size.Advice
         << " This warning is issued above SizeWarningLimit ("
         << Describe(this->Limit, " million", " billion")
-        << " tetrahedra; 0 turns it off) or a quarter of the memory.";
+        << " " << size.Cells << "; 0 turns it off) or a quarter of the memory.";
   vtkWarningWithObjectMacro(this->Owner, << words.str());
 }
 

@@ -43,13 +43,17 @@ public:
     std::string Basis;
     /// Sentence on how to reduce the size.
     std::string Advice;
+    /// Name of the cells.
+    std::string Cells = "tetrahedra";
   };
 
   /// Warns if the size exceeds a limit.
   void Check(const Size& size);
 
-  /// Adds the size of a dataset and warns if the sum exceeds a limit.
-  void Add(double tetrahedra, double bytes, const std::string& advice);
+  /// Adds the size of a dataset and warns if the sum exceeds a limit. \a cells is the name of its
+  /// cells.
+  void Add(double tetrahedra, double bytes, const std::string& advice,
+    const std::string& cells = "tetrahedra");
 
 private:
   vtkAlgorithm* Owner;

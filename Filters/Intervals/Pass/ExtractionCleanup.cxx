@@ -23,8 +23,26 @@ namespace
 {
 using Triple = std::array<vtkIdType, 3>;
 
-// Faces of a tetrahedron, counterclockwise as seen from outside. Face i does not contain vertex i.
-constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+// Faces of a tetrahedron, counterclockwise as seen from outside, and sides of a triangle with the
+// triangle to their left. A side contains its second vertex twice. Face i does not contain vertex i.
+constexpr int TetrahedronFaces[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+constexpr int TriangleSides[3][3] = { { 1, 2, 2 }, { 2, 0, 0 }, { 0, 1, 1 } };
+
+using FaceVertices = const int[3];
+
+// Returns the faces of a simplex with \a corners + 1 points.
+FaceVertices* GetFaces(int corners)
+{
+  return corners == 3 ? TetrahedronFaces : TriangleSides;
+}
+
+// Returns a face with its \a corners points in ascending order.
+Triple MakeKey(Triple face, int corners)
+{
+  OppositePairs::Sort(face.data(), corners);
+  face[2] = corners == 3 ? face[2] : face[1];
+  return face;
+}
 
 // Removes the simplices with the given indices, which must be in increasing order.
 void RemoveSimplices(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed)
@@ -246,28 +264,38 @@ void ExtractionCleanup::RemoveMarked(
   MarkUsed(mesh);
 }
 
-void ExtractionCleanup::CountFaces(const ExtractionMesh& mesh, TiedFaces<3>& faces)
+template <int Corners>
+void ExtractionCleanup::CountFaces(const ExtractionMesh& mesh, TiedFaces<Corners>& faces)
 {
+  constexpr int size = Corners + 1;
   ParallelFor(0, faces.IsEmpty() ? 0 : mesh.Simplices.GetNumber(),
     [&](vtkIdType simplex)
     {
-      vtkIdType ids[4];
-      for (int p = 0; p < 4; ++p)
+      vtkIdType ids[size];
+      for (int p = 0; p < size; ++p)
       {
         ids[p] = mesh.Simplices.GetId(simplex, p);
       }
-      for (int f = 0; f < 4 && faces.IsNear(ids, 4); ++f)
+      for (int f = 0; f < size && faces.IsNear(ids, size); ++f)
       {
-        const int* face = FacesOutward[f];
+        const int* face = GetFaces(Corners)[f];
         const Triple points{ { ids[face[0]], ids[face[1]], ids[face[2]] } };
         faces.Count(mesh.ItemIds->GetValue(simplex), points.data(), simplex);
       }
     });
 }
 
+template void ExtractionCleanup::CountFaces<3>(const ExtractionMesh& mesh, TiedFaces<3>& faces);
+
 void ExtractionCleanup::ResolveTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh)
 {
-  TiedFaces<3> faces(mesh.Points.GetSize());
+  context.Dimension == 2 ? ResolveTied<2>(context, mesh) : ResolveTied<3>(context, mesh);
+}
+
+template <int Corners>
+void ExtractionCleanup::ResolveTied(const ExtractionContext& context, ExtractionMesh& mesh)
+{
+  TiedFaces<Corners> faces(mesh.Points.GetSize());
   for (const vtkIdType t : mesh.TiedTriangles)
   {
     faces.Add(mesh.TriangleItemIds->GetValue(t), mesh.Triangles[t].data(), t);
@@ -312,9 +340,12 @@ void ExtractionCleanup::ResolveTiedTriangles(const ExtractionContext& context, E
   }
 }
 
-void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inputBoundary,
-  const InteriorCellPass* whole, ExtractionMesh& mesh)
+void ExtractionCleanup::CutBoundary(const ExtractionContext& context,
+  vtkUnstructuredGrid* inputBoundary, const InteriorCellPass* whole, ExtractionMesh& mesh)
 {
+  vtkDataSet* const input = context.Input;
+  const int corners = context.Dimension;
+  FaceVertices* const faces = GetFaces(corners);
   vtkDataArray* itemIds = inputBoundary->GetCellData()->GetArray("IntervalId");
   vtkDataArray* sides = inputBoundary->GetCellData()->GetArray("BoundarySide");
   vtkDataArray* itemOfCell = input->GetCellData()->GetArray("IntervalId");
@@ -329,9 +360,8 @@ void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inpu
       continue;
     }
     inputBoundary->GetCellPoints(t, ids);
-    Triple points{ { ids->GetId(0), ids->GetId(1), ids->GetId(2) } };
-    OppositePairs::Sort(points.data(), 3);
-    sideOf[{ static_cast<int>(itemIds->GetComponent(t, 0)), points }] =
+    const Triple points{ { ids->GetId(0), ids->GetId(1), ids->GetId(corners - 1) } };
+    sideOf[{ static_cast<int>(itemIds->GetComponent(t, 0)), MakeKey(points, corners) }] =
       static_cast<int>(sides->GetComponent(t, 0));
   }
   const vtkIdType simplices = mesh.CellIds.GetSize() > 0 ? mesh.Simplices.GetNumber() : 0;
@@ -340,18 +370,17 @@ void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inpu
     const vtkIdType cell = mesh.CellIds[simplex];
     const int item = static_cast<int>(itemOfCell->GetComponent(cell, 0));
     input->GetCellPoints(cell, ids);
-    for (int out = 0; out < 4; ++out)
+    for (int out = 0; out <= corners; ++out)
     {
-      Triple faceIds{ { ids->GetId(FacesOutward[out][0]), ids->GetId(FacesOutward[out][1]),
-        ids->GetId(FacesOutward[out][2]) } };
-      OppositePairs::Sort(faceIds.data(), 3);
-      const auto side = sideOf.find({ item, faceIds });
+      const Triple faceIds{ { ids->GetId(faces[out][0]), ids->GetId(faces[out][1]),
+        ids->GetId(faces[out][2]) } };
+      const auto side = sideOf.find({ item, MakeKey(faceIds, corners) });
       if (side == sideOf.end())
       {
         continue;
       }
       vtkIdType points[4];
-      for (int p = 0; p < 4; ++p)
+      for (int p = 0; p <= corners; ++p)
       {
         points[p] = mesh.Simplices.GetId(simplex, p);
       }
@@ -360,8 +389,9 @@ void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inpu
         const ExtractionPoint& point = mesh.Points[p];
         return point.Near != ids->GetId(out) && point.Far != ids->GetId(out);
       };
-      for (const auto& face : FacesOutward)
+      for (int f = 0; f <= corners; ++f)
       {
+        const int* const face = faces[f];
         if (isOnFace(points[face[0]]) && isOnFace(points[face[1]]) && isOnFace(points[face[2]]))
         {
           AddTriangle(

@@ -19,8 +19,10 @@ struct InteriorCellPass;
 class ExtractionCleanup
 {
 public:
-  /// Calls faces.Count() for each face of each tetrahedron, with the interval as the group.
-  static void CountFaces(const ExtractionMesh& mesh, TiedFaces<3>& faces);
+  /// Calls faces.Count() for each face of each tetrahedron, or each edge of each triangle, with the
+  /// interval as the group.
+  template <int Corners>
+  static void CountFaces(const ExtractionMesh& mesh, TiedFaces<Corners>& faces);
 
   /// Removes the marked simplices, interior cells and boundary triangles. In \a cells, the marks of
   /// the interior cells follow those of the simplices.
@@ -42,7 +44,7 @@ public:
   static void RemoveOppositeSimplices(ExtractionMesh& mesh, int size);
 
   /**
-   * Corrects the boundary triangles listed in TiedTriangles. If all values on a cell face equal a
+   * Corrects the boundary triangles, or lines, listed in TiedTriangles. If all values on a cell face equal a
    * bound, the cell outside the interval generates the triangles on that face, but there may be no
    * cell inside. Removes pairs of triangles of the same interval with the same points and opposite
    * orientation, since they enclose no volume. Keeps a remaining triangle only if it is a face,
@@ -52,12 +54,17 @@ public:
   static void ResolveTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh);
 
   /**
-   * Sets the boundary triangles of \a mesh, whose tetrahedra were cut from those of \a input: the
-   * faces of tetrahedra that lie in a triangle of \a inputBoundary. Triangles of interior cells,
-   * which \a whole identifies, are copied. \a whole is null if there are no interior cells.
+   * Sets the boundary triangles of \a mesh, whose tetrahedra were cut from those of the input: the
+   * faces of tetrahedra that lie in a triangle of \a inputBoundary. For a mesh of triangles, sets
+   * the boundary lines in the same way. Triangles of interior cells, which \a whole identifies, are
+   * copied. \a whole is null if there are no interior cells.
    */
-  static void CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inputBoundary,
+  static void CutBoundary(const ExtractionContext& context, vtkUnstructuredGrid* inputBoundary,
     const InteriorCellPass* whole, ExtractionMesh& mesh);
+
+private:
+  template <int Corners>
+  static void ResolveTied(const ExtractionContext& context, ExtractionMesh& mesh);
 };
 
 }

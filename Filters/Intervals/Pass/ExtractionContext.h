@@ -39,8 +39,8 @@ class InteriorCellFilter;
 struct ExtractionMesh
 {
   ExtractionBuffer<ExtractionPoint> Points;
-  /// Tetrahedra of intervals or triangles of contours, in the order of the input cells, followed by
-  /// the interior cells in the same order.
+  /// Tetrahedra or triangles, in the order of the input cells, followed by the interior cells in the
+  /// same order.
   SimplexList Simplices;
   vtkNew<vtkIntArray> ItemIds;
   /// Input cell of each simplex and interior cell; empty unless the input has cell arrays.
@@ -48,7 +48,8 @@ struct ExtractionMesh
   /// Cell type of each interior cell.
   ExtractionBuffer<unsigned char> InteriorCellTypes;
 
-  /// Boundary triangles of intervals, if requested.
+  /// Boundary triangles of intervals, if requested. If the simplices are triangles, these are lines,
+  /// whose third point is one of the first two.
   std::vector<std::array<vtkIdType, 3>> Triangles;
   vtkNew<vtkIntArray> TriangleItemIds;
   vtkNew<vtkIntArray> TriangleSides;
@@ -190,11 +191,15 @@ struct ExtractionContext : Blanking
   PointArrays* Unshared = nullptr;
   /// If ExtractionMesh::Points is not needed, the points are stored here instead; otherwise null.
   PointArrays* Arrays = nullptr;
+  /// Dimension of the cells that are extracted, 2 or 3. Other cells are skipped.
+  int Dimension = 3;
+  /// If true, another extraction processes the two- or three-dimensional cells.
+  bool IsMixed = false;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
-  /// If true, tetrahedra keep their stored orientation. Otherwise the orientation is computed from
-  /// the coordinates. A previous extraction may produce inverted tetrahedra, and sums of signed
-  /// volumes are correct only if these remain inverted.
+  /// If true, cells keep their stored orientation. Otherwise the orientation is computed from the
+  /// coordinates. A previous extraction may produce inverted tetrahedra, and sums of signed volumes
+  /// are correct only if these remain inverted. Two-dimensional cells have no other orientation.
   bool KeepOrientation = false;
   /// If true, ghost cells are extracted too (see GhostCells).
   bool IncludeGhostCells = false;
@@ -211,7 +216,10 @@ struct ExtractionContext : Blanking
     return ExtractionScalars::Make(this->Scalars, *this->Values, this->NonFinitePoints);
   }
 
-  int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }
+  int GetSimplexSize() const
+  {
+    return this->Dimension + (this->Values->GetKind() == vtkIsotable::INTERVAL ? 1 : 0);
+  }
 
   /**
    * Runs \a work(first, last) over [0, number) in parallel, in a few batches. Updates the progress,

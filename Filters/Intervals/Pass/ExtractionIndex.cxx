@@ -67,12 +67,14 @@ ExtractionIndex* ExtractionIndex::BeginExecution(bool isUsed, bool isPreview)
   };
   removeUnused(this->Known);
   removeUnused(this->LinearGrids);
+  removeUnused(this->SurfaceGrids);
   removeUnused(this->CoarseGrids);
   removeUnused(this->ConvertedArrays);
   return isUsed ? this : nullptr;
 }
 
-bool ExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions)
+bool ExtractionIndex::Select(
+  vtkDataSet* input, vtkDataArray* scalars, const int* dimensions, int dimension)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -81,7 +83,7 @@ bool ExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int
   }
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(input);
   const vtkMTimeType cellTime = grid ? grid->GetCells()->GetMTime() : 0;
-  Ranges& ranges = this->Known[scalars];
+  Ranges& ranges = this->Known[{ scalars, dimension }];
   this->Selected = &ranges;
   if (ranges.ScalarTime != scalars->GetMTime() || ranges.CellTime != cellTime ||
     ranges.Cells != this->Cells)

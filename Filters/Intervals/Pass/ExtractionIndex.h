@@ -9,6 +9,7 @@
 
 #include <array>
 #include <map>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -28,7 +29,8 @@ class ExtractionValues;
  * of a dataset is built at its second extraction, since building it visits all cells. It is cached
  * until the dataset or the scalar array changes. One object serves all leaves of a composite
  * dataset. It also caches the grids that replace grids with polyhedra (see ExtractionLinearizer),
- * coarse grids for previews (see GridSampling), and converted cell arrays.
+ * two-dimensional cells (see SurfaceCells), coarse grids for previews (see GridSampling), and
+ * converted cell arrays.
  */
 class ExtractionIndex : public vtkObject
 {
@@ -40,19 +42,26 @@ public:
   using Span = std::array<vtkIdType, 2>;
   static constexpr vtkIdType RunLength = 16;
 
-  /// A grid whose cells all have isotables, and the input cell of each of its cells.
+  /// A grid whose cells all have isotables, and the input cell of each of its cells. See
+  /// ExtractionLinearizer and SurfaceCells for the numbers of cells.
   struct LinearGrid
   {
     vtkSmartPointer<vtkUnstructuredGrid> Grid;
     std::vector<vtkIdType> CellIds;
     vtkIdType NumberOfConcave = 0;
+    vtkIdType NumberOfFolded = 0;
+    vtkIdType NumberOfHigherOrder = 0;
+    vtkIdType NumberOfLowerDimensional = 0;
     vtkMTimeType InputTime = 0;
     bool IsUsed = false;
   };
 
-  /// Returns the cache entry of \a input. Its Grid is null if no grid is cached or the input has
-  /// changed.
-  LinearGrid& GetLinearGrid(vtkDataSet* input) { return this->GetEntry(this->LinearGrids, input); }
+  /// Returns the cache entry of \a input for cells of the given dimension, 2 or 3. Its Grid is null
+  /// if no grid is cached or the input has changed.
+  LinearGrid& GetLinearGrid(vtkDataSet* input, int dimension)
+  {
+    return this->GetEntry(dimension == 2 ? this->SurfaceGrids : this->LinearGrids, input);
+  }
 
   /// A coarse copy of a structured grid.
   struct CoarseGrid
@@ -77,9 +86,10 @@ public:
   /**
    * Selects the ranges of \a input and builds them if needed. Returns false at the first extraction
    * of the scalar array, or if the array or the cells have changed; then Activate() must not be
-   * called. \a dimensions is null unless the grid is structured.
+   * called. \a dimensions is null unless the grid is structured. \a dimension is the dimension of
+   * the cells that are extracted, for which there are separate ranges.
    */
-  bool Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions);
+  bool Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions, int dimension = 3);
 
   /// Determines the active blocks, whose ranges overlap an interval or contain an isovalue.
   void Activate(const ExtractionValues& values);
@@ -142,8 +152,9 @@ private:
 
   static constexpr vtkIdType BlockSize[3] = { 8, 4, 4 };
 
-  std::map<vtkDataArray*, Ranges> Known;
+  std::map<std::pair<vtkDataArray*, int>, Ranges> Known;
   std::map<vtkDataSet*, LinearGrid> LinearGrids;
+  std::map<vtkDataSet*, LinearGrid> SurfaceGrids;
   std::map<vtkDataSet*, CoarseGrid> CoarseGrids;
   /// The index for previews; null if the last execution was not a preview.
   vtkSmartPointer<ExtractionIndex> Previews;

@@ -96,12 +96,13 @@ bool AreFinite(vtkDataSet* grid)
 }
 
 // Returns the number of leading points of a cell that determine whether it is skipped.
-vtkIdType GetNumberOfCorners(int type, vtkIdType points, bool hasSimplices)
+vtkIdType GetNumberOfCorners(int type, vtkIdType points, int dimension)
 {
   const CellCorners corners = CellCorners::Of(type);
-  return corners.HasTable()                                   ? corners.NumberOfCorners
-    : corners.Kind == CellCorners::POLYHEDRAL || hasSimplices ? points
-                                                              : 0;
+  const auto hasPointsOnly = dimension == 2 ? CellCorners::SURFACE : CellCorners::POLYHEDRAL;
+  return corners.HasTable(dimension)                   ? corners.NumberOfCorners
+    : corners.Kind == hasPointsOnly || dimension == 4 ? points
+                                                      : 0;
 }
 }
 
@@ -118,7 +119,7 @@ NonFinitePoints::NonFinitePoints(vtkDataSet* grid)
   }
 }
 
-std::string NonFinitePoints::Describe(vtkDataSet* grid, bool hasSimplices) const
+std::string NonFinitePoints::Describe(vtkDataSet* grid, int dimension) const
 {
   Blanking blanking;
   blanking.SetBlanking(grid);
@@ -129,7 +130,7 @@ std::string NonFinitePoints::Describe(vtkDataSet* grid, bool hasSimplices) const
   {
     grid->GetCellPoints(cell, ids);
     const auto end = ids->begin() +
-      GetNumberOfCorners(grid->GetCellType(cell), ids->GetNumberOfIds(), hasSimplices);
+      GetNumberOfCorners(grid->GetCellType(cell), ids->GetNumberOfIds(), dimension);
     const auto found =
       std::find_if(ids->begin(), end, [this](vtkIdType id) { return this->Marks[id] != 0; });
     if (found == end || blanking.IsCellBlanked(cell) ||

@@ -33,9 +33,9 @@ public:
 
   /// Returns a warning with the number of cells that are skipped because of these points, and the
   /// first such cell. Returns an empty string if there are none. \a grid may be the grid before
-  /// polyhedra were replaced.
-  /// Cells that are 4-simplices are included if \a hasSimplices is true.
-  std::string Describe(vtkDataSet* grid, bool hasSimplices = false) const;
+  /// polyhedra were replaced. \a dimension is the dimension of the cells that are extracted: 2, 3,
+  /// or 4 for 4-simplices.
+  std::string Describe(vtkDataSet* grid, int dimension = 3) const;
 
 private:
   std::vector<unsigned char> Marks;

@@ -43,12 +43,13 @@ Pieces GetPieces(vtkAlgorithm* owner)
   return pieces;
 }
 
-bool HasSolidCells(vtkDataSet* input)
+// Returns whether the input has cells of at least the given dimension.
+bool HasCells(vtkDataSet* input, int dimension)
 {
   int dimensions[3];
   if (ExtractionArrays::GetRowDimensions(input, dimensions))
   {
-    return *std::min_element(dimensions, dimensions + 3) > 1;
+    return std::count(dimensions, dimensions + 3, 1) <= 3 - dimension;
   }
   vtkNew<vtkGenericCell> kind;
   int last = -1;
@@ -59,7 +60,7 @@ bool HasSolidCells(vtkDataSet* input)
     {
       kind->SetCellType(type);
       last = type;
-      if (kind->GetCellDimension() == 3)
+      if (kind->GetCellDimension() >= dimension)
       {
         return true;
       }
@@ -126,7 +127,7 @@ void EmptyOutputDiagnosis::Look()
   {
     this->Cells += input->GetNumberOfCells();
     this->HasPoints = this->HasPoints || input->GetNumberOfPoints() > 0;
-    this->HasSolidCells = this->HasSolidCells || interlume::HasSolidCells(input);
+    this->HasSuitableCells = this->HasSuitableCells || HasCells(input, this->MinimumDimension);
   }
   for (vtkDataArray* scalars : this->Scalars)
   {
@@ -193,10 +194,12 @@ std::string EmptyOutputDiagnosis::ExplainFromData(const std::string& sought)
   {
     return "the input has points but no cells.";
   }
-  if (!this->HasSolidCells)
+  if (!this->HasSuitableCells)
   {
     why << "none of the input's " << this->Cells
-        << " cells is three-dimensional. Surfaces, lines and points have no interior.";
+        << (this->MinimumDimension == 2
+               ? " cells is two- or three-dimensional. Lines and points have no interior."
+               : " cells is three-dimensional. Surfaces, lines and points have no interior.");
     return why.str();
   }
   if (this->Values.IsEmpty())

@@ -28,6 +28,9 @@ namespace interlume
 class EmptyOutputDiagnosis
 {
 public:
+  /// Sets the lowest dimension of cells with output. Default 3.
+  void SetMinimumDimension(int dimension) { this->MinimumDimension = dimension; }
+
   /// Adds a dataset, and the number of simplices extracted from it before criteria are applied. \a
   /// input and \a scalars may be null.
   void Add(vtkDataSet* input, vtkDataArray* scalars, vtkIdType simplices);
@@ -91,7 +94,8 @@ private:
   // Range of the scalars examined so far.
   Range Values;
   bool HasPoints = false;
-  bool HasSolidCells = false;
+  int MinimumDimension = 3;
+  bool HasSuitableCells = false;
   vtkIdType Cells = 0;
   std::vector<Criterion> Criteria;
   vtkIdType Simplices = 0;

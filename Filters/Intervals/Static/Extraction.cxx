@@ -17,6 +17,7 @@
 #include "Static/ExtractionInput.h"
 #include "Static/ExtractionLinearizer.h"
 #include "Static/InteriorCellOutput.h"
+#include "Static/SurfaceCells.h"
 #include "Structured/StructuredExtraction.h"
 #include "Unstructured/UnstructuredExtraction.h"
 
@@ -85,7 +86,8 @@ void Extraction::CheckSize(const ExtractionContext& context, vtkIdType points, v
 {
   constexpr int pointsOfInteriorCell = 8;
   const vtkIdType cells = simplices + interiorCells;
-  const vtkIdType ids = 4 * simplices + pointsOfInteriorCell * interiorCells;
+  const vtkIdType ids =
+    context.GetSimplexSize() * simplices + pointsOfInteriorCell * interiorCells;
   const std::size_t idBytes = SimplexList::CanUse32BitStorage(points, ids) ? 4 : 8;
   const std::size_t pointBytes =
     ExtractionArrays::GetBytesPerPoint(context.Input, this->OutputPointsPrecision) +
@@ -95,9 +97,10 @@ void Extraction::CheckSize(const ExtractionContext& context, vtkIdType points, v
   this->Warning->Add(static_cast<double>(simplices),
     static_cast<double>(points) * pointBytes + static_cast<double>(cells) * cellBytes +
       static_cast<double>(ids) * idBytes,
-    this->InteriorPass ? "Use narrower intervals or a coarser input."
-                       : "Use narrower intervals or a coarser input, or turn on "
-                         "KeepInteriorCells.");
+    this->InteriorPass || this->Dimension == 2
+      ? "Use narrower intervals or a coarser input."
+      : "Use narrower intervals or a coarser input, or turn on KeepInteriorCells.",
+    this->Dimension == 2 ? "triangles" : "tetrahedra");
 }
 
 bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays)
@@ -113,7 +116,8 @@ bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, P
   }
   if (context.Index)
   {
-    if (context.Index->Select(context.Input, context.Scalars, hasRows ? dimensions : nullptr))
+    if (context.Index->Select(
+          context.Input, context.Scalars, hasRows ? dimensions : nullptr, this->Dimension))
     {
       context.Index->Activate(*context.Values);
     }
@@ -135,6 +139,44 @@ bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, P
     context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
 }
 
+ExtractionIndex::LinearGrid* Extraction::Linearize(
+  ExtractionContext& context, ExtractionIndex::LinearGrid& own) const
+{
+  vtkDataSet* const input = context.Input;
+  const bool isSurface = this->Dimension == 2;
+  int dimensions[3];
+  // Passes after the first copy the interior polyhedra instead of splitting them.
+  const bool isFurther = this->InteriorPass && this->InteriorPass->First >= 0;
+  const bool isNeeded = isSurface ? SurfaceCells::IsNeeded(input)
+                                  : !isFurther &&
+      !ExtractionArrays::GetRowDimensions(input, dimensions) &&
+      ExtractionLinearizer::IsNeeded(input);
+  if (!isNeeded)
+  {
+    return nullptr;
+  }
+  ExtractionIndex::LinearGrid& linear =
+    this->Index ? this->Index->GetLinearGrid(input, this->Dimension) : own;
+  if (!linear.Grid && isSurface)
+  {
+    SurfaceCells::Convert(input, linear);
+  }
+  else if (!linear.Grid)
+  {
+    linear.Grid = ExtractionLinearizer::Execute(input, linear.CellIds, linear.NumberOfConcave);
+  }
+  ExtractionReport& report = *context.Report;
+  report.ConcavePolyhedra = linear.NumberOfConcave;
+  report.FoldedCells = linear.NumberOfFolded;
+  report.LinearizedCells = linear.NumberOfHigherOrder;
+  report.LowerDimensionalCells = this->IsMixed ? 0 : linear.NumberOfLowerDimensional;
+  context.Input = linear.Grid;
+  GhostCells::SetBlanking(linear.Grid, context);
+  context.Scalars = vtkDataArray::SafeDownCast(
+    ArrayMatch::Find(input->GetPointData(), context.Scalars, linear.Grid->GetPointData()));
+  return &linear;
+}
+
 bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
   vtkUnstructuredGrid* boundary, ExtractionReport& report)
 {
@@ -142,34 +184,22 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   context.Owner = this->Owner;
   context.Values = this->Values;
   context.Input = input;
+  context.Scalars = scalars;
+  context.Dimension = this->Dimension;
+  context.IsMixed = this->IsMixed;
   context.Index = this->Index;
   context.Report = &report;
   context.GenerateBoundaries = this->GenerateBoundaries;
-  context.KeepOrientation = this->KeepOrientation;
+  const bool isSurface = this->Dimension == 2;
+  context.KeepOrientation = this->KeepOrientation || isSurface;
   context.KeepCellIds = input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary ||
     this->GenerateOriginArrays;
   GhostCells::SetBlanking(input, context);
 
-  int dimensions[3];
   ExtractionIndex::LinearGrid ownLinear;
-  ExtractionIndex::LinearGrid* linear = nullptr;
-  // Passes after the first copy the interior polyhedra instead of splitting them.
-  const bool isFurther = this->InteriorPass && this->InteriorPass->First >= 0;
-  if (!isFurther && !ExtractionArrays::GetRowDimensions(input, dimensions) &&
-    ExtractionLinearizer::IsNeeded(input))
-  {
-    linear = this->Index ? &this->Index->GetLinearGrid(input) : &ownLinear;
-    if (!linear->Grid)
-    {
-      linear->Grid = ExtractionLinearizer::Execute(input, linear->CellIds, linear->NumberOfConcave);
-    }
-    report.ConcavePolyhedra = linear->NumberOfConcave;
-    context.Input = linear->Grid;
-    GhostCells::SetBlanking(linear->Grid, context);
-    scalars = vtkDataArray::SafeDownCast(
-      ArrayMatch::Find(input->GetPointData(), scalars, linear->Grid->GetPointData()));
-  }
-  const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
+  ExtractionIndex::LinearGrid* const linear = this->Linearize(context, ownLinear);
+  const vtkSmartPointer<vtkDataArray> contiguous =
+    ExtractionDispatch::MakeContiguous(context.Scalars);
   context.Scalars = contiguous;
   // If orientations are kept, the previous pass computed the input points, which are thus finite.
   const NonFinitePoints nonFinite =
@@ -184,7 +214,13 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     context.KeepCellIds |= interiorFilter->HasParts();
   }
 
-  PointArrays arrays(context.Input, this->OutputPointsPrecision);
+  // The points of a converted image are doubles.
+  const bool isDouble =
+    ExtractionArrays::ChoosePointType(input, this->OutputPointsPrecision) == VTK_DOUBLE;
+  PointArrays arrays(context.Input,
+    !isSurface   ? this->OutputPointsPrecision
+      : isDouble ? vtkAlgorithm::DOUBLE_PRECISION
+                 : vtkAlgorithm::SINGLE_PRECISION);
   ExtractionMesh mesh;
   mesh.HasSeveralItems = this->Values->GetItems().size() > 1;
   if (this->Warning && this->Warning->IsPending())
@@ -197,7 +233,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     return false;
   }
-  report.Cells = input->GetNumberOfCells();
+  report.Cells = isSurface && this->IsMixed ? 0 : input->GetNumberOfCells();
   report.FoldedCells += ExtractionInput::CountFoldedRectilinearCells(input);
   if (!mesh.TiedSimplices.empty())
   {
@@ -217,7 +253,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   if (this->InputBoundary)
   {
-    ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, this->InteriorPass, mesh);
+    ExtractionCleanup::CutBoundary(context, this->InputBoundary, this->InteriorPass, mesh);
   }
   if (!arrays.IsAllocated())
   {
@@ -229,6 +265,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   if (this->InteriorPass)
   {
+    const bool isFurther = this->InteriorPass->First >= 0;
     report.InteriorCells = mesh.Simplices.GetNumberOfInteriorCells();
     report.NonPlanarFaces =
       isFurther ? 0 : InteriorFaces::CountNonPlanar(context, mesh, arrays.GetPoints());
@@ -245,7 +282,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   this->FillOutput(context, mesh, arrays, input, output);
   if (boundary && (this->GenerateBoundaries || this->InputBoundary))
   {
-    this->FillBoundary(mesh, input, output, boundary);
+    this->FillBoundary(context, mesh, input, output, boundary);
   }
   const int origins = this->GenerateOriginArrays ? 1 : 0;
   report.ArraysInterpolated = output->GetPointData()->GetNumberOfArrays() - 2 * origins;
@@ -284,19 +321,19 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
   }
 }
 
-void Extraction::FillBoundary(const ExtractionMesh& mesh, vtkDataSet* original,
-  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary) const
+void Extraction::FillBoundary(const ExtractionContext& context, const ExtractionMesh& mesh,
+  vtkDataSet* original, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary) const
 {
   boundary->SetPoints(output->GetPoints());
   boundary->GetPointData()->ShallowCopy(output->GetPointData());
   const vtkIdType number = static_cast<vtkIdType>(mesh.Triangles.size());
   SimplexList triangles;
-  triangles.Allocate(number, 3, output->GetNumberOfPoints());
+  triangles.Allocate(number, context.Dimension, output->GetNumberOfPoints());
   for (vtkIdType t = 0; t < number; ++t)
   {
     triangles.Write(t, mesh.Triangles[t].data());
   }
-  boundary->SetCells(VTK_TRIANGLE, triangles.MakeCells());
+  boundary->SetCells(context.Dimension == 2 ? VTK_LINE : VTK_TRIANGLE, triangles.MakeCells());
   ExtractionArrays::CopyCellData(original->GetCellData(), mesh.TriangleCellIds.data(),
     static_cast<vtkIdType>(mesh.TriangleCellIds.size()), boundary->GetCellData());
   AddNamed(boundary->GetCellData(), mesh.TriangleItemIds, "IntervalId");

@@ -3,6 +3,7 @@
 #define interlume_Extraction_h
 
 #include "Pass/ExtractionContext.h"
+#include "Pass/ExtractionIndex.h"
 
 class vtkUnstructuredGrid;
 
@@ -30,6 +31,11 @@ public:
   /// Name of the cell array of item indices; null if not written.
   const char* IdName = nullptr;
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
+  /// Dimension of the cells that are extracted, 2 or 3. Other cells are skipped.
+  int Dimension = 3;
+  /// If true, two extractions process the cells of two and three dimensions. Only the latter counts
+  /// the cells of the input and the skipped cells of fewer dimensions.
+  bool IsMixed = false;
   bool GenerateBoundaries = false;
   /// If true, contour triangles share points.
   bool SharePoints = true;
@@ -52,13 +58,17 @@ public:
     vtkUnstructuredGrid* boundary, ExtractionReport& report);
 
 private:
+  /// Replaces the input and the scalars of \a context by a grid of cells with isotables, if needed.
+  /// Returns this grid, which is in the index or in \a own, or null.
+  ExtractionIndex::LinearGrid* Linearize(
+    ExtractionContext& context, ExtractionIndex::LinearGrid& own) const;
   void CheckSize(const ExtractionContext& context, vtkIdType points, vtkIdType simplices,
     vtkIdType interiorCells) const;
   bool ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays);
   void FillOutput(const ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays,
     vtkDataSet* original, vtkUnstructuredGrid* output) const;
-  void FillBoundary(const ExtractionMesh& mesh, vtkDataSet* original, vtkUnstructuredGrid* output,
-    vtkUnstructuredGrid* boundary) const;
+  void FillBoundary(const ExtractionContext& context, const ExtractionMesh& mesh,
+    vtkDataSet* original, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary) const;
 };
 
 }

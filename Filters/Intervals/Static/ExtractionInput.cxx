@@ -19,7 +19,9 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +69,24 @@ double FindMinimumStep(vtkDataArray* coordinates)
   }
   return minimum;
 }
+
+// Returns an error if a polygon or strip of a surface is invalid.
+Error FindPolygonError(vtkDataSet* input)
+{
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
+  Error error;
+  for (const int type : { VTK_POLYGON, VTK_TRIANGLE_STRIP })
+  {
+    if (surface && !error)
+    {
+      vtkNew<vtkUnstructuredGrid> grid;
+      grid->SetPoints(surface->GetPoints());
+      grid->SetCells(type, type == VTK_POLYGON ? surface->GetPolys() : surface->GetStrips());
+      error = GridCheck::FindError(grid);
+    }
+  }
+  return error;
+}
 }
 
 Error ExtractionInput::CheckScalars(
@@ -76,12 +96,14 @@ Error ExtractionInput::CheckScalars(
   {
     return "The input has no " + wanted + ".";
   }
-  // Structured grids do not use global ids.
+  // Structured grids do not use global ids, unless they are extracted as polygons.
   int dimensions[3];
-  const bool usesIds = !ExtractionArrays::GetRowDimensions(input, dimensions);
+  const bool usesIds = !ExtractionArrays::GetRowDimensions(input, dimensions) ||
+    *std::min_element(dimensions, dimensions + 3) < 2;
   return ArrayCheck::MakeSentence(
     ArrayCheck::FindError(input, array, association, 1)
       .Then([&] { return GridCheck::FindError(input); })
+      .Then([&] { return FindPolygonError(input); })
       .Then([&] { return usesIds ? GlobalIds::FindError(input) : Error(); })
       .Then(
         [&] { return FindShortArray(input->GetPointData(), input->GetNumberOfPoints(), "point"); })
@@ -163,7 +185,7 @@ vtkIdType ExtractionInput::CountFoldedRectilinearCells(vtkDataSet* input)
   }
   for (int axis = 0; grid && axis < 3; ++axis)
   {
-    unfolded *= size[axis] - 1 - AxisCheck::Find(GetAxis(grid, axis), size[axis]).Number;
+    unfolded *= std::max(size[axis] - 1, 1) - AxisCheck::Find(GetAxis(grid, axis), size[axis]).Number;
   }
   return grid ? grid->GetNumberOfCells() - unfolded : 0;
 }
@@ -197,7 +219,7 @@ std::string ExtractionInput::CheckFolding(vtkDataSet* input, vtkIdType numberOfF
 }
 
 std::vector<std::string> ExtractionInput::GetWarnings(
-  vtkDataSet* input, int precision, const ExtractionReport& report)
+  vtkDataSet* input, int dimension, int precision, const ExtractionReport& report)
 {
   std::vector<std::string> warnings;
   if (report.LinearizedCells > 0)
@@ -212,7 +234,8 @@ std::vector<std::string> ExtractionInput::GetWarnings(
   }
   for (const std::string& warning : { CheckPolyhedra(report.ConcavePolyhedra),
          CheckFolding(input, report.FoldedCells), CheckPrecision(input, precision),
-         report.NonFiniteCells > 0 ? NonFinitePoints(input).Describe(input) : std::string() })
+         report.NonFiniteCells > 0 ? NonFinitePoints(input).Describe(input, dimension)
+                                   : std::string() })
   {
     if (!warning.empty())
     {

@@ -53,9 +53,10 @@ public:
   static vtkIdType CountFoldedRectilinearCells(vtkDataSet* input);
 
   /// Returns the warnings of an extraction with the given report: skipped or simplified cells, and
-  /// the results of the three checks above.
+  /// the results of the three checks above. \a dimension is the dimension of the cells that were
+  /// extracted.
   static std::vector<std::string> GetWarnings(
-    vtkDataSet* input, int precision, const ExtractionReport& report);
+    vtkDataSet* input, int dimension, int precision, const ExtractionReport& report);
 
   /// Returns a description, for messages, of the input array that \a owner processes.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);

@@ -484,25 +484,39 @@ private:
 };
 }
 
-bool ExtractionLinearizer::IsNeeded(vtkDataSet* input)
+ExtractionLinearizer::TypeSet ExtractionLinearizer::FindTypes(vtkDataSet* input)
 {
+  TypeSet found;
+  const vtkIdType number = input->GetNumberOfCells();
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(input);
   if (!grid)
   {
-    return true;
+    for (vtkIdType cell = 0; cell < number; ++cell)
+    {
+      found[input->GetCellType(cell)] = true;
+    }
+    return found;
   }
-  const vtkIdType number = grid->GetNumberOfCells();
   const auto stored = GridCells::GetTypes(grid);
   const unsigned char* types = stored->GetPointer(0);
-  bool isVisited[256] = {};
   const vtkIdType first = number > 0 && GridCells::AreTypesEqual(types, number) ? number - 1 : 0;
   for (vtkIdType cell = first; cell < number; ++cell)
   {
-    isVisited[types[cell]] = true;
+    found[types[cell]] = true;
   }
+  return found;
+}
+
+bool ExtractionLinearizer::IsNeeded(vtkDataSet* input)
+{
+  if (!vtkUnstructuredGrid::SafeDownCast(input))
+  {
+    return true;
+  }
+  const TypeSet types = FindTypes(input);
   for (int type = 0; type < 256; ++type)
   {
-    if (isVisited[type] && CellCorners::Of(type).Kind == CellCorners::POLYHEDRAL)
+    if (types[type] && CellCorners::Of(type).Kind == CellCorners::POLYHEDRAL)
     {
       return true;
     }

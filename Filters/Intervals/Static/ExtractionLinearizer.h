@@ -5,6 +5,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <bitset>
 #include <vector>
 
 class vtkDataSet;
@@ -30,6 +31,11 @@ namespace interlume
 class ExtractionLinearizer
 {
 public:
+  using TypeSet = std::bitset<256>;
+
+  /// Returns the types of the cells of a dataset.
+  static TypeSet FindTypes(vtkDataSet* input);
+
   /// Returns whether \a input is not an unstructured grid, or contains polyhedra.
   static bool IsNeeded(vtkDataSet* input);
 

@@ -54,14 +54,16 @@ vtkDataArray* ExtractionRun::FindScalars(
   return vtkDataArray::SafeDownCast(selection.Array);
 }
 
-void ExtractionRun::Add(vtkDataSet* input, int precision, const ExtractionReport& report)
+void ExtractionRun::Add(
+  vtkDataSet* input, int dimension, int precision, const ExtractionReport& report)
 {
   this->Report.Add(report);
   if (this->Stride > 0)
   {
     return;
   }
-  for (const std::string& warning : ExtractionInput::GetWarnings(input, precision, report))
+  for (const std::string& warning :
+    ExtractionInput::GetWarnings(input, dimension, precision, report))
   {
     vtkWarningWithObjectMacro(this->Owner, << warning);
   }

@@ -48,8 +48,9 @@ public:
   /// returns an error.
   vtkDataArray* FindScalars(vtkDataSet*& input, const std::function<Error()>& findError);
 
-  /// Adds the report of a dataset and issues its warnings, except in previews.
-  void Add(vtkDataSet* input, int precision, const ExtractionReport& report);
+  /// Adds the report of a dataset and issues its warnings, except in previews. \a dimension is the
+  /// dimension of the cells that were extracted.
+  void Add(vtkDataSet* input, int dimension, int precision, const ExtractionReport& report);
 
   ExtractionReport& GetReport() { return this->Report; }
 

@@ -88,7 +88,7 @@ struct OwnCut
 // The table readers and the buffers of a thread.
 struct Local
 {
-  std::array<std::optional<SpaceTimeTable::Reader>, vtkIsotable::NUMBER_OF_SHAPES> Readers;
+  std::array<std::optional<SpaceTimeTable::Reader>, SpaceTimeTable::NumberOfShapes> Readers;
   std::optional<FlatFacetCache> Flats;
   std::vector<vtkIdType> Near;
   OwnCut Own;
@@ -121,10 +121,11 @@ public:
   SlabCutter(const CornerOrder& order, const TimeVaryingMesh& mesh)
     : Order(order)
     , Mesh(mesh)
-    , TheTables([](vtkIsotable::Shapes shape) -> const SpaceTimeTable&
+    , TheTables(SpaceTimeTable::NumberOfShapes,
+        [](vtkIsotable::Shapes shape) -> const SpaceTimeTable&
         { return SpaceTimeTable::Get(shape); })
   {
-    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    for (int shape = 0; shape < SpaceTimeTable::NumberOfShapes; ++shape)
     {
       this->Slots.emplace_back(static_cast<vtkIsotable::Shapes>(shape));
     }

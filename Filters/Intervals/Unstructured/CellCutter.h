@@ -31,7 +31,8 @@ public:
   CellCutter(const ExtractionContext& context, const CornerOrder& order)
     : Values(*context.Values)
     , Order(order)
-    , Tables([kind = context.Values->GetKind()](vtkIsotable::Shapes shape) -> const vtkIsotable&
+    , Tables(vtkIsotable::NUMBER_OF_SHAPES,
+        [kind = context.Values->GetKind()](vtkIsotable::Shapes shape) -> const vtkIsotable&
         { return vtkIsotable::Get(kind, shape); })
     , Kind{ context.GetSimplexSize(), context.GenerateBoundaries }
   {

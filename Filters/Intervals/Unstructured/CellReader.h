@@ -38,7 +38,7 @@ public:
   CellReader(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
     const Stored* ids)
     : Context(context)
-    , Cells(grid, offsets, ids)
+    , Cells(grid, offsets, ids, context.Dimension)
     , Order(grid->GetPointData())
     , Orientation(grid)
     , NumberOfPoints(grid->GetNumberOfPoints())
@@ -201,10 +201,13 @@ private:
   bool Accept(vtkIdType id, ExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
-    if (!corners.HasTable())
+    if (!this->Cells.HasTable(corners))
     {
-      (corners.Kind == CellCorners::LOWER_DIMENSIONAL ? report.LowerDimensionalCells
-                                                      : report.UnsupportedCells) += 1;
+      if (corners.Kind != CellCorners::SURFACE || !this->Context.IsMixed)
+      {
+        (corners.IsLowerDimensional() ? report.LowerDimensionalCells : report.UnsupportedCells) +=
+          1;
+      }
       return false;
     }
     if (this->Context.HasBlanking() && this->IsBlanked(id, corners))
@@ -239,7 +242,7 @@ private:
     {
       return false;
     }
-    if (cell.Shape == vtkIsotable::TETRAHEDRON)
+    if (cell.Shape == vtkIsotable::TETRAHEDRON || cell.Shape == vtkIsotable::TRIANGLE)
     {
       cell.IsReflected = this->Order.IsOdd(cell.Ids, cell.NumberOfCorners);
     }

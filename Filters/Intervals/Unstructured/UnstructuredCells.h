@@ -30,18 +30,21 @@ class UnstructuredCells
 public:
   using Mark = PointMarks::Mark;
 
-  /// \a offsets and \a ids are the offsets and the connectivity of the cells of \a grid.
-  UnstructuredCells(vtkUnstructuredGrid* grid, const Stored* offsets, const Stored* ids)
+  /// \a offsets and \a ids are the offsets and the connectivity of the cells of \a grid. Cells of
+  /// another dimension than \a dimension have no table.
+  UnstructuredCells(
+    vtkUnstructuredGrid* grid, const Stored* offsets, const Stored* ids, int dimension = 3)
     : TypeArray(GridCells::GetTypes(grid))
     , Types(this->TypeArray->GetPointer(0))
     , Offsets(offsets)
     , Ids(ids)
+    , Dimension(dimension)
   {
     // If all cells have the same type, and the connectivity array has no extra ids, the cells are
     // stored at a constant stride.
     const vtkIdType cells = grid->GetNumberOfCells();
     const CellCorners& first = this->GetCorners(0);
-    const bool isUniform = first.Kind == CellCorners::LINEAR &&
+    const bool isUniform = this->HasTable(first) && first.Kind != CellCorners::HIGHER_ORDER &&
       grid->GetCells()->GetNumberOfConnectivityIds() == cells * first.NumberOfCorners &&
       GridCells::AreTypesEqual(this->Types, cells);
     this->Stride = isUniform ? first.NumberOfCorners : 0;
@@ -54,6 +57,8 @@ public:
   {
     return this->CornersOfType[this->Types[cell]];
   }
+
+  bool HasTable(const CellCorners& corners) const { return corners.HasTable(this->Dimension); }
 
   /// Returns the bitwise OR of the marks of a cell's corners.
   Mark GetMarks(vtkIdType cell, int corners, const Mark* marks) const
@@ -74,6 +79,8 @@ public:
   {
     switch (this->Stride)
     {
+      case 3:
+        return this->template UniteAll<3>(first, last, marks, visit);
       case 4:
         return this->template UniteAll<4>(first, last, marks, visit);
       case 5:
@@ -161,6 +168,7 @@ private:
   const unsigned char* Types;
   const Stored* Offsets;
   const Stored* Ids;
+  int Dimension;
   // Number of corners of each cell of a uniform grid, otherwise 0.
   int Stride = 0;
   const CellCorners* CornersOfType = GetCornersByType();

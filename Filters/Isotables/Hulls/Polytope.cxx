@@ -84,6 +84,10 @@ Polytope Polytope::FromShape(int shape)
       return Pyramid();
     case vtkIsotable::WEDGE:
       return Wedge();
+    case vtkIsotable::TRIANGLE:
+      return Simplex(2);
+    case vtkIsotable::QUADRILATERAL:
+      return Cube(2);
     default:
       return Cube(3);
   }

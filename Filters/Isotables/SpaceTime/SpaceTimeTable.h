@@ -45,6 +45,7 @@ public:
   using Simplex = CasePieces::Simplex;
   /// Pieces shared by all cases of one symmetry class.
   using Kind = CasePieces;
+  static constexpr int NumberOfShapes = vtkIsotable::NUMBER_OF_SOLIDS;
   static constexpr int MaximumNumberOfVertices = 16;
   static constexpr int MaximumNumberOfSlots = 96;
   using RankArray = std::array<std::uint16_t, MaximumNumberOfSlots>;

@@ -22,7 +22,7 @@ using Corner = std::array<double, 3>;
 
 const std::vector<Corner>& CornersOf(vtkIsotable::Shapes shape)
 {
-  static const std::vector<Corner> corners[vtkIsotable::NUMBER_OF_SHAPES] = {
+  static const std::vector<Corner> corners[vtkIsotable::NUMBER_OF_SOLIDS] = {
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0.5, 0.5, 1 } } },
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } },
@@ -85,7 +85,7 @@ void CheckShape(vtkIsotable::Shapes shape, Check& check)
 int TestCellOrientation(int, char*[])
 {
   Check check;
-  for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+  for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SOLIDS; ++shape)
   {
     check.SetContext("shape " + std::to_string(shape));
     CheckShape(static_cast<vtkIsotable::Shapes>(shape), check);
