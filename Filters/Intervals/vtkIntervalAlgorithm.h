@@ -58,8 +58,9 @@ public:
   /**
    * If true, an execution with an empty output warns and reports the reason: no interval is set,
    * the intervals are outside the scalar range, or the input has no points or only cells whose
-   * dimension is too low. The warning is issued once for all datasets of a composite input. If one of several
-   * pieces is requested, reasons that may not apply to other pieces are not reported. Default on.
+   * dimension is too low. The warning is issued once for all datasets of a composite input. If one
+   * of several pieces is requested, reasons that may not apply to other pieces are not reported.
+   * Default on.
    */
   vtkSetMacro(WarnOnEmptyOutput, bool);
   vtkGetMacro(WarnOnEmptyOutput, bool);
@@ -69,10 +70,10 @@ public:
   ///@{
   /**
    * Set/get the number of output tetrahedra or triangles above which an execution warns before it
-   * allocates them. The warning reports the number, the memory, and how to reduce them. It is also issued if
-   * the output needs more than a quarter of the memory that the process can use. Each process warns
-   * at most once per execution, about its part of the output. The limit does not change the output.
-   * 0 turns the warning off. Default 5 million.
+   * allocates them. The warning reports the number, the memory, and how to reduce them. It is also
+   * issued if the output needs more than a quarter of the memory that the process can use. Each
+   * process warns at most once per execution, about its part of the output. The limit does not
+   * change the output. 0 turns the warning off. Default 5 million.
    */
   vtkSetClampMacro(SizeWarningLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(SizeWarningLimit, vtkIdType);

@@ -30,17 +30,16 @@ struct InteriorCellPass;
  * @class   vtkIntervalVolume
  * @brief   extract the region between two isovalues as tetrahedra or triangles
  *
- * Extracts the interval volume { x : lower <= f(x) <= upper } of a scalar array, for any
- * number of intervals. Each cell is lifted by one dimension, its isosurface is looked up in an
- * isotable and projected back. Tetrahedra of adjacent cells conform, even if the cells have
- * different types. For the method, see Documentation/methods/interval-volumes.md; for timings, see
- * Documentation/measurements.md.
+ * Extracts the interval volume { x : lower <= f(x) <= upper } of a scalar array, for any number of
+ * intervals. Each cell is lifted by one dimension, its isosurface is looked up in an isotable and
+ * projected back. Tetrahedra of adjacent cells conform, even if the cells have different types. See
+ * Documentation/methods/interval-volumes.md and, for timings, Documentation/measurements.md.
  *
  * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkPolyData, vtkUnstructuredGrid with
  * tetrahedra, voxels, hexahedra, wedges, pyramids, convex polyhedra and polygons, and composite
  * datasets of these. Quadratic cells are treated as linear, with a warning. A concave polyhedron
- * produces overlapping tetrahedra, with a warning. Cells are skipped, and counted in GetReport(), if
- * they have less than two dimensions, are ghost, hidden or blanked, or if a corner has a NaN or
+ * produces overlapping tetrahedra, with a warning. Cells are skipped, and counted in GetReport(),
+ * if they have fewer than two dimensions, are ghost, hidden or blanked, or if a corner has a NaN or
  * infinite scalar or coordinate. For the scalar, and for cell arrays, see vtkIntervalAlgorithm.
  *
  * Output port 0: VTK_TETRA cells in a vtkUnstructuredGrid. A composite input produces a composite
@@ -69,8 +68,7 @@ struct InteriorCellPass;
  * both in input order. Two-dimensional cells are cut. Interior cells of image data and rectilinear
  * grids are voxels, or hexahedra if the image is rotated. A copied cell has quadrilateral faces
  * where its cut neighbor has two triangles, so a face that is not planar may leave a gap or an
- * overlap; see NonPlanarFaces of GetReport(). vtkTimeWeightedTetrahedraMapper accepts tetrahedra
- * only.
+ * overlap; see NonPlanarFaces of GetReport().
  *
  * Distributed grids: unstructured partitions need global point ids of any integer type, so that
  * faces between partitions match. The filter requests one layer of ghost cells, which produce no
@@ -183,7 +181,8 @@ public:
   ///@{
   /**
    * If true, extract two-dimensional cells, also next to three-dimensional cells. If false, skip
-   * them, so that the output has no triangles. Default on.
+   * them, so that the output has no triangles, which vtkTimeWeightedTetrahedraMapper does not
+   * accept. Default on.
    */
   vtkSetMacro(ExtractSurfaceCells, bool);
   vtkGetMacro(ExtractSurfaceCells, bool);
@@ -197,7 +196,7 @@ public:
    *   ghost
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
    * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type. With
-   *   ExtractSurfaceCells, only cells of less than two dimensions are lower-dimensional.
+   *   ExtractSurfaceCells, only cells with fewer than two dimensions are lower-dimensional.
    * - LinearizedCells: quadratic and higher-order cells treated as linear
    * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
    * - FoldedCells: self-intersecting cells with output
@@ -233,8 +232,9 @@ private:
   /// Extracts the intervals from one dataset.
   void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);
-  /// Extracts the intervals, restricted by the criteria, from the cells of one dimension. \a isMixed
-  /// is true if cells of the other dimension are extracted too. Returns false if the user aborted.
+  /// Extracts the intervals, restricted by the criteria, from the cells of one dimension. \a
+  /// isMixed is true if cells of the other dimension are extracted too. Returns false if the user
+  /// aborted.
   bool ExtractCells(int dimension, bool isMixed, vtkDataSet* input, vtkDataArray* scalars,
     interlume::ExtractionRun& run, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
   /// Runs the first pass. \a whole is null if interior cells are cut too. Returns false if the user

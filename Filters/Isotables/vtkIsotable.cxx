@@ -113,8 +113,8 @@ private:
       else
       {
         this->Append(facet.Points, result);
-        this->AppendFaces(this->Cell.Dimension == 2 ? GetSides(patch.GetPolygon(facet))
-                                                    : patch.GetFaces(facet),
+        this->AppendFaces(
+          this->Cell.Dimension == 2 ? GetSides(patch.GetPolygon(facet)) : patch.GetFaces(facet),
           result);
       }
     }

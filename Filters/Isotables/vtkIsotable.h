@@ -20,10 +20,10 @@ class Polytope;
  * @brief   case table of a cell, for isosurfaces or interval volumes
  *
  * Get() returns the table of a VTK cell. The constructor creates the table of any other convex
- * three-dimensional cell. Cases are computed from convex hulls in integer arithmetic at their first use (P.
- * Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex hulls",
- * IEEE TVCG 10(2), 2004). Any thread may request a case. A reference to a case remains valid as
- * long as the table exists. See Documentation/methods/isotables.md.
+ * three-dimensional cell. Cases are computed from convex hulls in integer arithmetic at their first
+ * use (P. Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex
+ * hulls", IEEE TVCG 10(2), 2004). Any thread may request a case. A reference to a case remains
+ * valid as long as the table exists. See Documentation/methods/isotables.md.
  *
  * The key of a case has one digit per vertex; the digit of vertex 0 is the least significant.
  * Contours use base 2 (0: below the isovalue, 1: at or above it). Intervals use base 3 (0: below

@@ -91,8 +91,8 @@ void TestDegenerate(StabilityCatalogue& catalogue)
       SumAreas(filter->GetOutput()) - one.Area, AreaBound);
   }
   // All points on a line.
-  auto flat = MakeCell(VTK_POLYGON, { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 } },
-    { 0, 1, 2, 3, 4 });
+  auto flat =
+    MakeCell(VTK_POLYGON, { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 } }, { 0, 1, 2, 3, 4 });
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInputData(flat);
   filter->WarnOnEmptyOutputOff();
@@ -144,8 +144,8 @@ void TestCoordinates(StabilityCatalogue& catalogue)
   for (const int exponent : { -100, 100 })
   {
     const double scale = std::ldexp(1.0, exponent);
-    auto mesh = MakeCell(VTK_QUAD,
-      { { 0, 0 }, { scale, 0 }, { scale, scale }, { 0, scale } }, { 0, 1, 2, 3 });
+    auto mesh = MakeCell(
+      VTK_QUAD, { { 0, 0 }, { scale, 0 }, { scale, scale }, { 0, scale } }, { 0, 1, 2, 3 });
     AddRandomField(mesh, 2);
     catalogue.Measure("surface-coordinates-2^" + std::to_string(exponent),
       "tiny or huge coordinates", "relative error of the area",
@@ -172,8 +172,7 @@ void TestCoordinates(StabilityCatalogue& catalogue)
 
 void TestInvalid(StabilityCatalogue& catalogue)
 {
-  auto bowtie =
-    MakeCell(VTK_QUAD, { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } }, { 0, 1, 2, 3 });
+  auto bowtie = MakeCell(VTK_QUAD, { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } }, { 0, 1, 2, 3 });
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInputData(bowtie);
   filter->SetInterval(0, -9, 9);

@@ -48,7 +48,8 @@ public:
 
   const std::vector<Simplex>& GetSimplices() const { return this->Simplices; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// Returns true if the points of a tetrahedron or triangle all lie in one face of the cell. The neighbor cell at this face may have the same simplex with opposite orientation.
+  /// Returns true if the points of a tetrahedron or triangle all lie in one face of the cell. The
+  /// neighbor cell at this face may have the same simplex with opposite orientation.
   bool IsInFace(const vtkIsotable& table, const Simplex& simplex)
   {
     if (this->FaceTable != &table)

@@ -113,8 +113,8 @@ void SizeWarning::Check(const Size& size)
   }
   words << ". Extraction and rendering may be slow. " << size.Advice
         << " This warning is issued above SizeWarningLimit ("
-        << Describe(this->Limit, " million", " billion")
-        << " " << size.Cells << "; 0 turns it off) or a quarter of the memory.";
+        << Describe(this->Limit, " million", " billion") << " " << size.Cells
+        << "; 0 turns it off) or a quarter of the memory.";
   vtkWarningWithObjectMacro(this->Owner, << words.str());
 }
 

@@ -24,7 +24,8 @@ namespace
 using Triple = std::array<vtkIdType, 3>;
 
 // Faces of a tetrahedron, counterclockwise as seen from outside, and sides of a triangle with the
-// triangle to their left. A side contains its second vertex twice. Face i does not contain vertex i.
+// triangle to their left. A side contains its second vertex twice. Face i does not contain vertex
+// i.
 constexpr int TetrahedronFaces[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 constexpr int TriangleSides[3][3] = { { 1, 2, 2 }, { 2, 0, 0 }, { 0, 1, 1 } };
 

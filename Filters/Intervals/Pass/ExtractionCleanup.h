@@ -44,12 +44,12 @@ public:
   static void RemoveOppositeSimplices(ExtractionMesh& mesh, int size);
 
   /**
-   * Corrects the boundary triangles, or lines, listed in TiedTriangles. If all values on a cell face equal a
-   * bound, the cell outside the interval generates the triangles on that face, but there may be no
-   * cell inside. Removes pairs of triangles of the same interval with the same points and opposite
-   * orientation, since they enclose no volume. Keeps a remaining triangle only if it is a face,
-   * with the same orientation, of a tetrahedron or interior cell of the interval, and assigns it to
-   * the input cell of that tetrahedron or interior cell.
+   * Corrects the boundary triangles, or lines, listed in TiedTriangles. If all values on a cell
+   * face equal a bound, the cell outside the interval generates the triangles on that face, but
+   * there may be no cell inside. Removes pairs of triangles of the same interval with the same
+   * points and opposite orientation, since they enclose no volume. Keeps a remaining triangle only
+   * if it is a face, with the same orientation, of a tetrahedron or interior cell of the interval,
+   * and assigns it to the input cell of that tetrahedron or interior cell.
    */
   static void ResolveTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh);
 

@@ -39,8 +39,8 @@ class InteriorCellFilter;
 struct ExtractionMesh
 {
   ExtractionBuffer<ExtractionPoint> Points;
-  /// Tetrahedra or triangles, in the order of the input cells, followed by the interior cells in the
-  /// same order.
+  /// Tetrahedra or triangles, in the order of the input cells, followed by the interior cells in
+  /// the same order.
   SimplexList Simplices;
   vtkNew<vtkIntArray> ItemIds;
   /// Input cell of each simplex and interior cell; empty unless the input has cell arrays.
@@ -48,8 +48,8 @@ struct ExtractionMesh
   /// Cell type of each interior cell.
   ExtractionBuffer<unsigned char> InteriorCellTypes;
 
-  /// Boundary triangles of intervals, if requested. If the simplices are triangles, these are lines,
-  /// whose third point is one of the first two.
+  /// Boundary triangles of intervals, if requested. If the simplices are triangles, these are
+  /// lines, whose third point is one of the first two.
   std::vector<std::array<vtkIdType, 3>> Triangles;
   vtkNew<vtkIntArray> TriangleItemIds;
   vtkNew<vtkIntArray> TriangleSides;

@@ -100,7 +100,7 @@ vtkIdType GetNumberOfCorners(int type, vtkIdType points, int dimension)
 {
   const CellCorners corners = CellCorners::Of(type);
   const auto hasPointsOnly = dimension == 2 ? CellCorners::SURFACE : CellCorners::POLYHEDRAL;
-  return corners.HasTable(dimension)                   ? corners.NumberOfCorners
+  return corners.HasTable(dimension)                  ? corners.NumberOfCorners
     : corners.Kind == hasPointsOnly || dimension == 4 ? points
                                                       : 0;
 }
@@ -129,8 +129,8 @@ std::string NonFinitePoints::Describe(vtkDataSet* grid, int dimension) const
   for (vtkIdType cell = 0; !this->Marks.empty() && cell < grid->GetNumberOfCells(); ++cell)
   {
     grid->GetCellPoints(cell, ids);
-    const auto end = ids->begin() +
-      GetNumberOfCorners(grid->GetCellType(cell), ids->GetNumberOfIds(), dimension);
+    const auto end =
+      ids->begin() + GetNumberOfCorners(grid->GetCellType(cell), ids->GetNumberOfIds(), dimension);
     const auto found =
       std::find_if(ids->begin(), end, [this](vtkIdType id) { return this->Marks[id] != 0; });
     if (found == end || blanking.IsCellBlanked(cell) ||

@@ -86,8 +86,7 @@ void Extraction::CheckSize(const ExtractionContext& context, vtkIdType points, v
 {
   constexpr int pointsOfInteriorCell = 8;
   const vtkIdType cells = simplices + interiorCells;
-  const vtkIdType ids =
-    context.GetSimplexSize() * simplices + pointsOfInteriorCell * interiorCells;
+  const vtkIdType ids = context.GetSimplexSize() * simplices + pointsOfInteriorCell * interiorCells;
   const std::size_t idBytes = SimplexList::CanUse32BitStorage(points, ids) ? 4 : 8;
   const std::size_t pointBytes =
     ExtractionArrays::GetBytesPerPoint(context.Input, this->OutputPointsPrecision) +
@@ -147,9 +146,9 @@ ExtractionIndex::LinearGrid* Extraction::Linearize(
   int dimensions[3];
   // Passes after the first copy the interior polyhedra instead of splitting them.
   const bool isFurther = this->InteriorPass && this->InteriorPass->First >= 0;
-  const bool isNeeded = isSurface ? SurfaceCells::IsNeeded(input)
-                                  : !isFurther &&
-      !ExtractionArrays::GetRowDimensions(input, dimensions) &&
+  const bool isNeeded = isSurface
+    ? SurfaceCells::IsNeeded(input)
+    : !isFurther && !ExtractionArrays::GetRowDimensions(input, dimensions) &&
       ExtractionLinearizer::IsNeeded(input);
   if (!isNeeded)
   {

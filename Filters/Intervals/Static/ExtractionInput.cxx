@@ -185,7 +185,8 @@ vtkIdType ExtractionInput::CountFoldedRectilinearCells(vtkDataSet* input)
   }
   for (int axis = 0; grid && axis < 3; ++axis)
   {
-    unfolded *= std::max(size[axis] - 1, 1) - AxisCheck::Find(GetAxis(grid, axis), size[axis]).Number;
+    unfolded *=
+      std::max(size[axis] - 1, 1) - AxisCheck::Find(GetAxis(grid, axis), size[axis]).Number;
   }
   return grid ? grid->GetNumberOfCells() - unfolded : 0;
 }

@@ -14,8 +14,8 @@ namespace interlume
  * @class   SurfaceCells
  * @brief   converts the two-dimensional cells of a dataset to cells with isotables
  *
- * A quadrilateral becomes a VTK_PIXEL, a strip becomes triangles, and any other polygon is
- * triangulated as by VTK. So is a concave quadrilateral. Higher-order cells are replaced by the
+ * A convex quadrilateral becomes a VTK_PIXEL, and a strip becomes triangles. Concave quadrilaterals
+ * and other polygons are triangulated by vtkPolygon. Higher-order cells are replaced by the
  * polygons of their corners. All cells keep their orientation.
  *
  * If VTK cannot triangulate a polygon, for example because it intersects itself, it is split into a
@@ -37,8 +37,8 @@ public:
   /// Returns whether \a input is not an unstructured grid that consists of triangles.
   static bool IsNeeded(vtkDataSet* input);
 
-  /// Fills \a surface with the two-dimensional cells of \a input. They have the points and the point
-  /// arrays of the input, and inherit the ghost flags of its cells.
+  /// Fills \a surface with the two-dimensional cells of \a input. They have the points and the
+  /// point arrays of the input, and inherit the ghost flags of its cells.
   static void Convert(vtkDataSet* input, ExtractionIndex::LinearGrid& surface);
 
   /// Appends triangles to the tetrahedra in \a output, and lines to the triangles in \a boundary.

@@ -281,8 +281,8 @@ private:
     }
     else
     {
-      reason = corners.IsLowerDimensional() ? &report.LowerDimensionalCells
-                                            : &report.UnsupportedCells;
+      reason =
+        corners.IsLowerDimensional() ? &report.LowerDimensionalCells : &report.UnsupportedCells;
     }
     if (reason)
     {

@@ -25,10 +25,9 @@ SpaceTimeTable::~SpaceTimeTable() = default;
 
 SpaceTimeTable& SpaceTimeTable::Get(vtkIsotable::Shapes shape)
 {
-  static SpaceTimeTable tables[NumberOfShapes] = {
-    SpaceTimeTable(Polytope::FromShape(0).Prism()), SpaceTimeTable(Polytope::FromShape(1).Prism()),
-    SpaceTimeTable(Polytope::FromShape(2).Prism()), SpaceTimeTable(Polytope::FromShape(3).Prism())
-  };
+  static SpaceTimeTable tables[NumberOfShapes] = { SpaceTimeTable(Polytope::FromShape(0).Prism()),
+    SpaceTimeTable(Polytope::FromShape(1).Prism()), SpaceTimeTable(Polytope::FromShape(2).Prism()),
+    SpaceTimeTable(Polytope::FromShape(3).Prism()) };
   return tables[shape];
 }
 

@@ -103,7 +103,12 @@ void CheckReasons(Check& check)
       },
       { "the intervals [2, 2.5], [3, 3.5], [4, 4.5], and 2 more" } },
     { "none", MakeInput(), [](vtkIntervalVolume*) {}, { "no interval is set" } },
-    { "a surface", surface, [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0, 1); },
+    { "a surface", surface,
+      [](vtkIntervalVolume* filter)
+      {
+        filter->ExtractSurfaceCellsOff();
+        filter->SetInterval(0, 0, 1);
+      },
       { "none of the input's 1 cells is three-dimensional" } },
     { "hidden", hidden, [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0, 1); },
       { "no cell intersects", "hidden" } },

@@ -80,8 +80,7 @@ Areas Measure(vtkUnstructuredGrid* output, std::size_t intervals, Check& check)
     }
     const Point area = AreaVector(triangle);
     const int interval = static_cast<int>(ids->GetComponent(cell, 0));
-    vtkMath::Add(
-      areas.Vectors[interval].data(), area.data(), areas.Vectors[interval].data());
+    vtkMath::Add(areas.Vectors[interval].data(), area.data(), areas.Vectors[interval].data());
     areas.Sums[interval] += vtkMath::Norm(area.data());
   }
   return areas;
@@ -170,9 +169,8 @@ void CheckBands(vtkDataSet* data, const Polygon& polygon, const LinearFunction& 
   vtkDataArray* intervals = lines->GetCellData()->GetArray("IntervalId");
   for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
   {
-    const double bound =
-      bands[static_cast<std::size_t>(intervals->GetComponent(line, 0))]
-           [static_cast<std::size_t>(sides->GetComponent(line, 0))];
+    const double bound = bands[static_cast<std::size_t>(intervals->GetComponent(line, 0))]
+                              [static_cast<std::size_t>(sides->GetComponent(line, 0))];
     check.Equal(lines->GetCellType(line), VTK_LINE, "type of a boundary cell");
     for (int end = 0; end < 2; ++end)
     {
@@ -201,8 +199,7 @@ void CheckCellTypes(Check& check)
     std::size_t Corners;
     /// The order of the points along the border. Empty if it is the order of the points.
     std::vector<int> Border;
-  } const cases[] = {
-    { "triangle", VTK_TRIANGLE, { { 0, 0 }, { 2, 0.3 }, { 0.4, 1 } }, 0, {} },
+  } const cases[] = { { "triangle", VTK_TRIANGLE, { { 0, 0 }, { 2, 0.3 }, { 0.4, 1 } }, 0, {} },
     { "clockwise triangle", VTK_TRIANGLE, { { 0, 0 }, { 0.4, 1 }, { 2, 0.3 } }, 0, {} },
     { "quadrilateral", VTK_QUAD, { { 0, 0 }, { 2, 0.3 }, { 1.8, 1.5 }, { 0.4, 1 } }, 0, {} },
     { "pixel", VTK_PIXEL, { { 0, 0 }, { 2, 0 }, { 0, 1 }, { 2, 1 } }, 0, { 0, 1, 3, 2 } },
@@ -225,8 +222,7 @@ void CheckCellTypes(Check& check)
     { "quadratic polygon", VTK_QUADRATIC_POLYGON,
       { { 1, 0 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }, { 0, 0 }, { 0, 0 }, { 0, 0 },
         { 0, 0 }, { 0, 0 } },
-      5, {} }
-  };
+      5, {} } };
   for (const auto& one : cases)
   {
     check.SetContext(one.Name);
@@ -413,7 +409,8 @@ void CheckCriteria(Check& check)
   filter->Update();
   const Areas areas = Measure(filter->GetOutput(), 2, check);
   const Polygon all = { { 0, 0, 0 }, { 0.7, 0, 0 }, { 0.7, 1, 0 }, { 0, 1, 0 } };
-  const Polygon region = Clip(Clip(Clip(Clip(all, g, 0.17, 1), g, 0.71, -1), h, 0.2, 1), h, 0.55, -1);
+  const Polygon region =
+    Clip(Clip(Clip(Clip(all, g, 0.17, 1), g, 0.71, -1), h, 0.2, 1), h, 0.55, -1);
   double lengths[2][2] = {};
   vtkUnstructuredGrid* lines = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
   for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
@@ -423,7 +420,8 @@ void CheckCriteria(Check& check)
     lines->GetPoint(lines->GetCell(line)->GetPointId(1), x[1]);
     const auto id = [&](const char* name)
     { return static_cast<int>(lines->GetCellData()->GetArray(name)->GetComponent(line, 0)); };
-    lengths[id("IntervalId")][id("BoundarySide")] += std::sqrt(vtkMath::Distance2BetweenPoints(x[0], x[1]));
+    lengths[id("IntervalId")][id("BoundarySide")] +=
+      std::sqrt(vtkMath::Distance2BetweenPoints(x[0], x[1]));
   }
   const double bounds[] = { 0.11, 0.43, 0.62 };
   for (int i = 0; i < 2; ++i)
@@ -501,6 +499,6 @@ void CheckScales(Check& check)
 
 int TestIntervalVolumeAreas(int, char*[])
 {
-  return RunChecks({ CheckCellTypes, CheckStructuredGrids, CheckClips, CheckCriteria, CheckFolded,
-    CheckScales });
+  return RunChecks(
+    { CheckCellTypes, CheckStructuredGrids, CheckClips, CheckCriteria, CheckFolded, CheckScales });
 }
