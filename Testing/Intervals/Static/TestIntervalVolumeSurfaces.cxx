@@ -744,10 +744,12 @@ void CheckUpdates(Check& check)
         check.That(
           GetDigest(GetPort(filter, port)) == GetDigest(GetPort(fresh, port)), "same output");
       }
+      // Random fields have no cells to skip.
+      const vtkIdType visited = filter->GetReport()->GetCount("CellsVisited");
+      check.That(
+        lower != 0.4 || i == 1 || i == 2 || visited < fresh->GetReport()->GetCount("CellsVisited"),
+        "the index skips cells");
     }
-    check.That(i == 1 || i == 2 ||
-        filter->GetReport()->GetCount("CellsVisited") < inputs[i]->GetNumberOfCells(),
-      "the index skips cells");
   }
 }
 
