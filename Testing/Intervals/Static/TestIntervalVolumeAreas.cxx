@@ -204,6 +204,8 @@ void CheckCellTypes(Check& check)
     { "quadrilateral", VTK_QUAD, { { 0, 0 }, { 2, 0.3 }, { 1.8, 1.5 }, { 0.4, 1 } }, 0, {} },
     { "pixel", VTK_PIXEL, { { 0, 0 }, { 2, 0 }, { 0, 1 }, { 2, 1 } }, 0, { 0, 1, 3, 2 } },
     { "concave quadrilateral", VTK_QUAD, { { 0, 0 }, { 2, 0 }, { 0.5, 0.4 }, { 0.1, 2 } }, 0, {} },
+    { "concave quadrilateral, at its last point", VTK_QUAD,
+      { { 0.1, 2 }, { 0, 0 }, { 2, 0 }, { 0.5, 0.4 } }, 0, {} },
     { "degenerate quadrilateral", VTK_QUAD, { { 0, 0 }, { 2, 0 }, { 2, 0 }, { 0.1, 2 } }, 0, {} },
     { "hexagon", VTK_POLYGON,
       { { 1, 0 }, { 0.5, 0.9 }, { -0.5, 0.8 }, { -1, 0 }, { -0.5, -0.7 }, { 0.5, -0.8 } }, 0, {} },
@@ -250,6 +252,8 @@ void CheckCellTypes(Check& check)
     if (one.Corners == 0)
     {
       CheckBands(mesh, border, function, true, check);
+      check.Near(Measure(ExtractIntervals(mesh, { { -10, 10 } }).Volume, 1, check).Sums[0],
+        vtkMath::Norm(AreaVector(border).data()), Tolerance, "area without overlaps");
       continue;
     }
     vtkNew<vtkIntervalVolume> filter;
