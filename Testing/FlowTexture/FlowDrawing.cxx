@@ -174,15 +174,15 @@ RgbaImage DrawRefined(FlowFixture& fixture, Check& check)
   vtkRenderWindow* window = fixture.Stage.GetWindow();
   window->SetDesiredUpdateRate(1e9);
   fixture.Mapper->ProgressiveRenderingOn();
-  RgbaImage image = fixture.Stage.Capture(1);
+  RgbaImage image = fixture.Stage.Capture();
   check.That(fixture.Mapper->GetRefinementPending(), "the first image is coarse");
   window->SetDesiredUpdateRate(1e-4);
   for (int pass = 0; fixture.Mapper->GetRefinementPending() && pass < 3; ++pass)
   {
-    image = fixture.Stage.Capture(1);
+    image = fixture.Stage.Capture();
   }
   check.That(!fixture.Mapper->GetRefinementPending(), "the image becomes final");
-  check.That(fixture.Stage.Capture(1).Values == image.Values, "the final image is shown again");
+  check.That(fixture.Stage.Capture().Values == image.Values, "the final image is shown again");
   check.Equal(
     fixture.Mapper->GetReport()->GetCount("Passes"), 0, "no rays are cast without a change");
   return image;

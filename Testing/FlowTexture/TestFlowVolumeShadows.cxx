@@ -158,7 +158,7 @@ void TestFormula(Check& check)
       stage.SetVolume(mapper, property);
       stage.SetCamera(scene.Camera);
       stage.SetLights({ MakeLight(one.Light, one.IsPositional) });
-      const RgbaImage found = stage.Capture(1);
+      const RgbaImage found = stage.Capture();
       const LightError error = CompareLight(found, expected);
       vtkInterlumeReport* report = mapper->GetReport();
       const std::string name = one.Name + (isFine ? ", finer" : "");
@@ -314,11 +314,11 @@ void TestRaysAndSlices(Check& check)
     }
     sliced.Mapper->SetSampleDistance(0.01);
     sliced.Mapper->ShadowsOff();
-    const RgbaImage rays = sliced.Stage.Capture(1);
+    const RgbaImage rays = sliced.Stage.Capture();
     check.Equal(
       sliced.Mapper->GetReport()->GetCount("Passes"), 1, "the image is drawn by ray casting");
     sliced.Mapper->ShadowsOn();
-    const RgbaImage slices = sliced.Stage.Capture(1);
+    const RgbaImage slices = sliced.Stage.Capture();
     check.Equal(sliced.Mapper->GetReport()->GetCount("Passes"), 0, "the image is drawn by slices");
     const ImageError error = CompareImages(slices, rays);
     std::cout << "slices and rays, " << sliced.Mapper->GetReport()->GetText("Features") << ": "

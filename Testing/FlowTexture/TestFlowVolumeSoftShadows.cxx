@@ -133,7 +133,7 @@ RgbaImage Draw(vtkImplicitFlowVolumeMapper* mapper, vtkAreaLight* light, const F
   stage.SetVolume(mapper, property);
   stage.SetCamera(scene.Camera);
   stage.SetLights({ light });
-  return stage.Capture(1);
+  return stage.Capture();
 }
 
 void TestFormula(Check& check)

@@ -293,9 +293,9 @@ void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& chec
     {
       stage.GetWindow()->SetStereoType(stereo);
       stage.GetWindow()->StereoRenderOn();
+      // Rendering the window passes the stereo settings to the camera.
+      stage.Render();
     }
-    // Rendering the window passes the stereo settings to the camera.
-    stage.Render();
     const bool isSoftware = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
     images[isSoftware ? 0 : 1] = stage.Capture();
     CheckImage(images[isSoftware ? 0 : 1], isSoftware ? "software" : "OpenGL", check);

@@ -54,7 +54,7 @@ void Compare(
   mapper->SetInputData(static_cast<vtkDataSet*>(grid));
   stage.SetVolume(mapper, property);
   stage.SetCamera(camera);
-  const RgbaImage found = stage.Capture();
+  const RgbaImage found = stage.Capture(2);
   const ImageError error = CompareImages(found, expected);
   const std::string name =
     std::string(mapper->GetClassName()) + (parallel ? ", parallel" : ", perspective");

@@ -55,7 +55,7 @@ int ToBlendMode(Blend blend)
   }
 }
 
-RgbaImage Draw(vtkUnstructuredGridVolumeMapper* mapper, const ImageCase& what)
+RgbaImage Draw(vtkUnstructuredGridVolumeMapper* mapper, const ImageCase& what, int frames)
 {
   VolumeStage stage(what.Settings.Size);
   stage.SetVolume(mapper, what.Property);
@@ -64,7 +64,7 @@ RgbaImage Draw(vtkUnstructuredGridVolumeMapper* mapper, const ImageCase& what)
   {
     stage.AddActor(actor);
   }
-  return stage.Capture();
+  return stage.Capture(frames);
 }
 
 }
@@ -99,7 +99,7 @@ void Configure(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what)
 RgbaImage DrawByMapper(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what)
 {
   Configure(mapper, what);
-  return Draw(mapper, what);
+  return Draw(mapper, what, 1);
 }
 
 RgbaImage DrawByPath(int path, const ImageCase& what)
@@ -114,7 +114,7 @@ RgbaImage DrawWithVtkMapper(const ImageCase& what)
   vtkNew<vtkProjectedTetrahedraMapper> mapper;
   mapper->SetInputData(static_cast<vtkDataSet*>(what.Grid));
   SelectScalars(mapper, what.Settings.Arrays);
-  return Draw(mapper, what);
+  return Draw(mapper, what, 2);
 }
 
 void AddPlane(ImageCase& what, double behind, const Point3& color)

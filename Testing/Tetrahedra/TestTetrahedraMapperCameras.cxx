@@ -252,7 +252,7 @@ public:
   {
     // Rendering the window passes the stereo settings to the camera.
     this->Stage.Render();
-    return this->Stage.Capture(1);
+    return this->Stage.Capture();
   }
 
   vtkSmartPointer<vtkActor> AddSurface(vtkAlgorithm* source)

@@ -136,7 +136,7 @@ public:
 void Compare(Check& check, Scene& scene, const Planes& planes, double tolerance,
   const std::string& name, const std::function<Color(const PixelSegment&)>& formula)
 {
-  const RgbaImage image = scene.Stage.Capture(1);
+  const RgbaImage image = scene.Stage.Capture();
   const PixelSegments segments(scene.Stage.GetRenderer());
   double largest = 0.0;
   int seen = 0;
@@ -395,7 +395,7 @@ void TestBoundary(Check& check, const Path& path, const Planes& planes, bool par
   mapper->SetBoundaryConnection(boundary->GetOutputPort());
   mapper->SetBoundaryProperty(property);
   SetPlanes(mapper, planes);
-  const RgbaImage image = scene.Stage.Capture(1);
+  const RgbaImage image = scene.Stage.Capture();
   const PixelSegments segments(scene.Stage.GetRenderer());
   int different = 0;
   int counts[3] = { 0, 0, 0 };
@@ -466,7 +466,7 @@ void TestSequence(Check& check, const Path& path)
   const auto capture = [&](Mapper* renderedMapper)
   {
     scene.SetMapper(renderedMapper);
-    return scene.Stage.Capture(1);
+    return scene.Stage.Capture();
   };
   RgbaImage last = capture(mapper);
   for (int step = 0; step < 14; ++step)
@@ -522,16 +522,16 @@ void TestEmptyAndInvalid(Check& check, const Path& path)
     auto mapper = NewMapper(path);
     scene.SetMapper(mapper);
     mapper->SetBlendMode(blend);
-    check.That(LargestAlpha(scene.Stage.Capture(1)) > 0.1, "the unclipped volume is visible");
+    check.That(LargestAlpha(scene.Stage.Capture()) > 0.1, "the unclipped volume is visible");
     SetPlanes(mapper, { "", { { { { 1.0, 0.0, 0.0 } }, { { 1.5, 0.0, 0.0 } } } } });
-    check.Near(LargestAlpha(scene.Stage.Capture(1)), 0.0, 0.0, "alpha if all is clipped");
+    check.Near(LargestAlpha(scene.Stage.Capture()), 0.0, 0.0, "alpha if all is clipped");
     check.Equal(
       mapper->GetReport()->GetCount("TetrahedraDrawn"), 0, "tetrahedra drawn if all is clipped");
   }
   Scene scene(false);
   auto mapper = NewMapper(path);
   scene.SetMapper(mapper);
-  const auto draw = [&]() { scene.Stage.Capture(1); };
+  const auto draw = [&]() { scene.Stage.Capture(); };
   SetPlanes(mapper, { "", { { { { 0.0, 0.0, 1.0 } }, { { 0.0, 0.0, 0.5 } } } } });
   mapper->GetClippingPlanes()->GetItem(0)->SetNormal(0.0, 0.0, 0.0);
   check.Contains(CaptureErrors(mapper, draw), "clipping plane 0");

@@ -100,7 +100,7 @@ RgbaImage Draw(VolumeStage& stage, Mapper* mapper, State& state)
   camera->Zoom(state.Zoom);
   stage.SetCamera(camera);
   stage.GetWindow()->SetDesiredUpdateRate(state.Rate);
-  return stage.Capture(1);
+  return stage.Capture();
 }
 
 RgbaImage DrawFresh(State& state)
@@ -235,7 +235,7 @@ RgbaImage DrawRefined(VolumeStage& stage, Mapper* mapper, State& state, Check& c
   RgbaImage image = Draw(stage, mapper, state);
   for (int pass = 0; mapper->GetRefinementPending() && pass < 3; ++pass)
   {
-    image = stage.Capture(1);
+    image = stage.Capture();
   }
   check.That(!mapper->GetRefinementPending(), "the image becomes final");
   return image;
@@ -261,7 +261,7 @@ void TestRefinement(Check& check, int path, int changes)
     state.Rate = STILL;
     check.That(DrawRefined(stage, mapper, state, check).Values == DrawFresh(state).Values,
       GetPathName(path) + ": the refined image after change " + std::to_string(i));
-    stage.Capture(1);
+    stage.Capture();
     check.Equal(mapper->GetReport()->GetCount("UploadedImageBytes"), 0, "nothing is drawn again");
   }
   check.That(coarse > changes / 2, "coarse images are drawn");
@@ -320,7 +320,7 @@ void TestEmpty(Check& check, int path)
   check.That(!isBlank(), "opaque mesh");
   auto empty = vtkSmartPointer<vtkUnstructuredGrid>::New();
   mapper->SetInputData(static_cast<vtkDataSet*>(empty));
-  stage.Capture(1);
+  stage.Capture();
   check.Equal(mapper->GetReport()->GetCount("TetrahedraDrawn"), 0, "empty mesh");
   check.That(!isBlank(), "opaque mesh again");
   // All values are NaN.

@@ -103,13 +103,13 @@ public:
     this->Stage.SetCamera(what.Camera);
   }
 
-  /// Captures an image, for which VolumeStage renders two frames.
+  /// Captures the second of two frames.
   Outcome Draw()
   {
     this->Errors.Messages.clear();
     this->Others.Messages.clear();
     Outcome outcome;
-    outcome.Image = this->Stage.Capture();
+    outcome.Image = this->Stage.Capture(2);
     for (unsigned int code = glGetError(); code != GL_NO_ERROR; code = glGetError())
     {
       this->Others.Messages.push_back("OpenGL error " + std::to_string(code));

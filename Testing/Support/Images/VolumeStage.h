@@ -62,7 +62,7 @@ public:
   /// mappers require two frames: vtkProjectedTetrahedraMapper omits the first thousand cells of its
   /// first frame. After Render(), that mapper draws over its previous frame, so use a separate
   /// stage and mapper for Capture().
-  RgbaImage Capture(int frames = 2);
+  RgbaImage Capture(int frames = 1);
   /// Renders a frame and returns the OpenGL renderer string.
   std::string GetDevice();
 

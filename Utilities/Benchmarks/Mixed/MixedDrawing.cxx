@@ -105,7 +105,7 @@ Drawing::~Drawing()
 reference::RgbaImage Drawing::Capture()
 {
   this->Stage.SetPass(this->Pass);
-  return this->Stage.Capture();
+  return this->Stage.Capture(2);
 }
 
 void Drawing::MoveLights()

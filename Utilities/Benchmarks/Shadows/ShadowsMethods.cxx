@@ -83,12 +83,12 @@ reference::RgbaImage Method::Capture()
   this->Show(this->Scene.Camera);
   if (this->GetSliceMapper())
   {
-    return this->Stage.Capture(1);
+    return this->Stage.Capture();
   }
   // vtkGPUVolumeRayCastMapper cannot read the depth buffer of the floating-point framebuffer, and
   // renders nothing to it unless the mapper has read another depth buffer before.
   this->Stage.Render();
-  return this->Stage.Capture();
+  return this->Stage.Capture(2);
 }
 
 vtkShadowedSliceMapper* Method::GetSliceMapper()

@@ -116,7 +116,7 @@ reference::RgbaImage SharedStage::Capture(vtkUnstructuredGridVolumeMapper* mappe
 {
   this->Stage.SetVolume(mapper, this->Property);
   this->Stage.SetCamera(this->Camera);
-  return this->Stage.Capture();
+  return this->Stage.Capture(2);
 }
 
 reference::RgbaImage SharedStage::CaptureSeparately(vtkUnstructuredGridVolumeMapper* mapper) const
@@ -124,6 +124,6 @@ reference::RgbaImage SharedStage::CaptureSeparately(vtkUnstructuredGridVolumeMap
   reference::VolumeStage stage(this->Size);
   stage.SetVolume(mapper, this->Property);
   stage.SetCamera(this->Camera);
-  return stage.Capture();
+  return stage.Capture(2);
 }
 }
