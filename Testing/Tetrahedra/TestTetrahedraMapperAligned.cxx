@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests both render paths on data seen along the axes, where faces are edge-on and projected points
-// coincide. TestTetrahedraMapperAlignedData uses every file.
+// coincide. TestTetrahedraMapperAlignedData uses every file, and other parts of these files.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/DataTetrahedra.h"
 #include "Tetrahedra/PathComparison.h"

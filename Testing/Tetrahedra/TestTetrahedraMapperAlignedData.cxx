@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests every file in Data/ seen along the axes, as full grids and interval volumes.
+// Tests every file in Data/ seen along the axes, as full grids and interval volumes. Some grids of
+// these files are in TestTetrahedraMapperAligned, which has a lower bound.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/DataTetrahedra.h"
 #include "Tetrahedra/PathComparison.h"
@@ -10,13 +11,10 @@ int TestTetrahedraMapperAlignedData(int, char*[])
   Check check;
   const DataTetrahedra cases[] = {
     { "disk_out_ref.vtu", "Temp" },
-    { "disk_out_ref.vtu", "AsH3", 0.1327, 0.1848 },
     { "mug.ex2", "convected" },
     { "mug.ex2", "diffused", 0.2, 0.8 },
     { "bluntfin.vts", "Density" },
-    { "bluntfin.vts", "Density", 2.0, 5.0 },
     { "post.vts", "Pressure", 3.4, 4.4 },
-    { "post_tets.vtk", "Pressure" },
     { "post_tets.vtk", "Pressure", 0.5, 0.9 },
     { "bonsai.vti", "ImageFile", 235.0, 255.0 },
     { "brainsmall.vti", "density", 121.0, 182.0 },
