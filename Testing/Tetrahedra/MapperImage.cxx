@@ -13,6 +13,8 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProjectedTetrahedraMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -55,9 +57,9 @@ int ToBlendMode(Blend blend)
   }
 }
 
-RgbaImage Draw(vtkUnstructuredGridVolumeMapper* mapper, const ImageCase& what, int frames)
+RgbaImage Draw(
+  VolumeStage& stage, vtkUnstructuredGridVolumeMapper* mapper, const ImageCase& what, int frames)
 {
-  VolumeStage stage(what.Settings.Size);
   stage.SetVolume(mapper, what.Property);
   stage.SetCamera(what.Camera);
   for (vtkActor* actor : what.Actors)
@@ -99,7 +101,8 @@ void Configure(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what)
 RgbaImage DrawByMapper(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what)
 {
   Configure(mapper, what);
-  return Draw(mapper, what, 1);
+  VolumeStage stage(what.Settings.Size);
+  return Draw(stage, mapper, what, 1);
 }
 
 RgbaImage DrawByPath(int path, const ImageCase& what)
@@ -109,12 +112,28 @@ RgbaImage DrawByPath(int path, const ImageCase& what)
   return DrawByMapper(mapper, what);
 }
 
+RgbaImage DrawByPath(int path, const ImageCase& what, VolumeStage& stage)
+{
+  vtkNew<Mapper> mapper;
+  mapper->SetRenderPath(path);
+  Configure(mapper, what);
+  stage.GetWindow()->SetSize(what.Settings.Size[0], what.Settings.Size[1]);
+  const RgbaImage image = Draw(stage, mapper, what, 1);
+  for (vtkActor* actor : what.Actors)
+  {
+    stage.GetRenderer()->RemoveActor(actor);
+  }
+  mapper->ReleaseGraphicsResources(stage.GetWindow());
+  return image;
+}
+
 RgbaImage DrawWithVtkMapper(const ImageCase& what)
 {
   vtkNew<vtkProjectedTetrahedraMapper> mapper;
   mapper->SetInputData(static_cast<vtkDataSet*>(what.Grid));
   SelectScalars(mapper, what.Settings.Arrays);
-  return Draw(mapper, what, 2);
+  VolumeStage stage(what.Settings.Size);
+  return Draw(stage, mapper, what, 2);
 }
 
 void AddPlane(ImageCase& what, double behind, const Point3& color)

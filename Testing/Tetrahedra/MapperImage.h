@@ -19,6 +19,8 @@ class vtkVolumeProperty;
 namespace reference
 {
 
+class VolumeStage;
+
 /**
  * A volume to render with a mapper and with the reference implementation.
  */
@@ -45,6 +47,8 @@ void Configure(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what);
 RgbaImage DrawByMapper(vtkTimeWeightedTetrahedraMapper* mapper, const ImageCase& what);
 /// Returns the image of a new mapper with the given render path.
 RgbaImage DrawByPath(int path, const ImageCase& what);
+/// Renders the same image on a stage that is reused, since a new window compiles its shaders again.
+RgbaImage DrawByPath(int path, const ImageCase& what, VolumeStage& stage);
 /// Returns the image of vtkProjectedTetrahedraMapper. Only the scalars of the settings are used.
 RgbaImage DrawWithVtkMapper(const ImageCase& what);
 RgbaImage DrawReference(const ImageCase& what);

@@ -4,6 +4,7 @@
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Images/CameraSettings.h"
 #include "Support/Images/ReferenceRay.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -143,13 +144,11 @@ std::string FormatPixel(int i, int j)
   return " at " + std::to_string(i) + "," + std::to_string(j);
 }
 
-}
-
-void CompareRenderPaths(
-  const ImageCase& what, const std::string& name, Check& check, double silhouetteFraction)
+void Compare(VolumeStage& stage, const ImageCase& what, const std::string& name, Check& check,
+  double silhouetteFraction)
 {
-  const RgbaImage software = DrawByPath(Mapper::SOFTWARE_PATH, what);
-  const RgbaImage openGL = DrawByPath(Mapper::OPENGL_PATH, what);
+  const RgbaImage software = DrawByPath(Mapper::SOFTWARE_PATH, what, stage);
+  const RgbaImage openGL = DrawByPath(Mapper::OPENGL_PATH, what, stage);
   const int width = what.Settings.Size[0];
   const int height = what.Settings.Size[1];
   ImageCase sampled = what;
@@ -202,9 +201,19 @@ void CompareRenderPaths(
             << different.size() << " silhouette pixels\n";
 }
 
+}
+
+void CompareRenderPaths(
+  const ImageCase& what, const std::string& name, Check& check, double silhouetteFraction)
+{
+  VolumeStage stage(what.Settings.Size);
+  Compare(stage, what, name, check, silhouetteFraction);
+}
+
 void CompareRenderPathsAlongAxes(
   ImageCase what, const std::string& name, Check& check, double silhouetteFraction)
 {
+  VolumeStage stage(what.Settings.Size);
   for (bool parallel : { false, true })
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -214,7 +223,7 @@ void CompareRenderPathsAlongAxes(
         Point3 direction = { { 0.0, 0.0, 0.0 } };
         direction[axis] = sign;
         what.Camera = LookAt(what.Grid, direction, parallel);
-        CompareRenderPaths(what,
+        Compare(stage, what,
           name + (parallel ? ", parallel, along " : ", perspective, along ") +
             (sign > 0.0 ? "+" : "-") + "xyz"[axis],
           check, silhouetteFraction);

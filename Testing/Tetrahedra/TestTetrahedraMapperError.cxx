@@ -4,6 +4,7 @@
 // tetrahedra, on small, large and distant meshes, with low and high extinction.
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Drawing/ImageCases.h"
+#include "Support/Images/VolumeStage.h"
 #include "Tetrahedra/MapperImage.h"
 
 #include "vtkCamera.h"
@@ -72,7 +73,7 @@ public:
            << ErrorOf(DrawWithVtkMapper(what), expected);
       for (int path : AllRenderPaths())
       {
-        const RgbaImage found = DrawByPath(path, what);
+        const RgbaImage found = DrawByPath(path, what, this->Stage);
         std::string row = name;
         row.append("-").append(projection).append("-").append(GetPathName(path));
         const bool isSoftware = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
@@ -87,6 +88,7 @@ public:
 
 private:
   StabilityCatalogue Catalogue;
+  VolumeStage Stage{ { { 96, 64 } } };
 };
 
 std::string Power(int exponent)
