@@ -128,7 +128,7 @@ int vtkIntervalVolume::RequestData(
   }
   interlume::ExtractionRun run(
     this, names, index, this->GetPreviewCellLimit(), this->GetSizeWarningLimit());
-  run.GetEmptyOutputDiagnosis().SetMinimumDimension(this->ExtractSurfaceCells ? 2 : 3);
+  run.GetEmptyOutputDiagnosis().SetMinimumDimension(this->SurfaceCells == NEVER ? 3 : 2);
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
@@ -155,7 +155,8 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
   }
   const interlume::BlockPool::Use use(this->Memory.get());
   const auto found = interlume::SurfaceCells::FindDimensions(input);
-  const bool hasSurfaces = this->ExtractSurfaceCells && found.HasSurfaces;
+  const bool hasSurfaces = found.HasSurfaces &&
+    (this->SurfaceCells == ALWAYS || (this->SurfaceCells == WITHOUT_SOLIDS && !found.HasSolids));
   const bool isMixed = hasSurfaces && found.HasSolids;
   const double begin = this->GetProgressShift();
   const double scale = this->GetProgressScale();
@@ -325,7 +326,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateOriginArrays: " << this->GenerateOriginArrays << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
   os << indent << "ReuseMemory: " << this->ReuseMemory << "\n";
-  os << indent << "ExtractSurfaceCells: " << this->ExtractSurfaceCells << "\n";
+  os << indent << "SurfaceCells: " << this->SurfaceCells << "\n";
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());
 }

@@ -180,13 +180,18 @@ public:
 
   ///@{
   /**
-   * If true, extract two-dimensional cells, also next to three-dimensional cells. If false, skip
-   * them, so that the output has no triangles, which vtkTimeWeightedTetrahedraMapper does not
-   * accept. Default on.
+   * When to extract two-dimensional cells: never, only from a dataset without three-dimensional
+   * cells, or always. The polygons of a mesh with both are often its boundary, and
+   * vtkTimeWeightedTetrahedraMapper does not accept their triangles. Default WITHOUT_SOLIDS.
    */
-  vtkSetMacro(ExtractSurfaceCells, bool);
-  vtkGetMacro(ExtractSurfaceCells, bool);
-  vtkBooleanMacro(ExtractSurfaceCells, bool);
+  enum SurfaceCellModes
+  {
+    NEVER,
+    WITHOUT_SOLIDS,
+    ALWAYS
+  };
+  vtkSetClampMacro(SurfaceCells, int, NEVER, ALWAYS);
+  vtkGetMacro(SurfaceCells, int);
   ///@}
 
   /**
@@ -195,8 +200,8 @@ public:
    * - BlankedCells: cells skipped because the cell or one of its points is blanked, hidden or a
    *   ghost
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
-   * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type. With
-   *   ExtractSurfaceCells, only cells with fewer than two dimensions are lower-dimensional.
+   * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type. Polygons
+   *   count as lower-dimensional if SurfaceCells excludes them.
    * - LinearizedCells: quadratic and higher-order cells treated as linear
    * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
    * - FoldedCells: self-intersecting cells with output
@@ -258,7 +263,7 @@ private:
   bool GenerateOriginArrays = false;
   bool UseValueIndex = true;
   bool ReuseMemory = false;
-  bool ExtractSurfaceCells = true;
+  int SurfaceCells = WITHOUT_SOLIDS;
   vtkNew<vtkInterlumeReport> Report;
   vtkSmartPointer<interlume::ExtractionIndex> Index;
   /// Null if memory reuse is off.

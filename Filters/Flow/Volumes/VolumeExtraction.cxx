@@ -92,7 +92,7 @@ VolumeExtraction::VolumeExtraction()
   // vtkFlowVolume issues its own warnings.
   for (vtkIntervalVolume* filter : { this->ByInflow.Filter.Get(), this->ByTime.Filter.Get() })
   {
-    filter->ExtractSurfaceCellsOff();
+    filter->SetSurfaceCells(vtkIntervalVolume::NEVER);
     filter->WarnOnEmptyOutputOff();
     filter->SetSizeWarningLimit(0);
   }

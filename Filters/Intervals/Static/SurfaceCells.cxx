@@ -84,8 +84,7 @@ private:
   // cells, so the points are computed instead of read.
   void AddRows(const int dimensions[3])
   {
-    const vtkIdType columns =
-      *std::find_if(dimensions, dimensions + 3, [](int n) { return n > 1; });
+    const vtkIdType columns = dimensions[0] > 1 ? dimensions[0] : dimensions[1];
     vtkIdType cell = 0;
     for (vtkIdType row = 0; row + columns < this->Input->GetNumberOfPoints(); row += columns)
     {

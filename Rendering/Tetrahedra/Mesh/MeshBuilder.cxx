@@ -259,8 +259,8 @@ Error MeshBuilder::Build(
     return "cell " + std::to_string(invalidCell) + " is a " +
       (type ? type->GetClassName() : "cell of unknown type") +
       ", but only tetrahedra can be drawn; convert the cells to tetrahedra with "
-      "vtkDataSetTriangleFilter, vtkIntervalVolume without KeepInteriorCells and "
-      "ExtractSurfaceCells, or vtkTetrahedralMesher";
+      "vtkDataSetTriangleFilter, vtkIntervalVolume without KeepInteriorCells and SurfaceCells, "
+      "or vtkTetrahedralMesher";
   }
   if (std::max(cells, grid->GetNumberOfPoints()) >= std::numeric_limits<std::uint32_t>::max())
   {

@@ -106,7 +106,7 @@ void CheckReasons(Check& check)
     { "a surface", surface,
       [](vtkIntervalVolume* filter)
       {
-        filter->ExtractSurfaceCellsOff();
+        filter->SetSurfaceCells(vtkIntervalVolume::NEVER);
         filter->SetInterval(0, 0, 1);
       },
       { "none of the input's 1 cells is three-dimensional" } },

@@ -44,7 +44,7 @@ Run Execute(vtkDataSet* mesh)
   Run run;
   vtkNew<vtkTest::ErrorObserver> observers[2];
   vtkNew<vtkIntervalVolume> volume;
-  volume->ExtractSurfaceCellsOff();
+  volume->SetSurfaceCells(vtkIntervalVolume::NEVER);
   volume->SetInterval(0, 0.3, 0.9);
   vtkNew<vtkIsotableContour> contour;
   contour->SetValue(0, 0.6);

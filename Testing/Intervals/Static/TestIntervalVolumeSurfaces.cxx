@@ -394,6 +394,7 @@ void Configure(vtkIntervalVolume* filter, vtkDataSet* input)
   filter->GenerateBoundariesOn();
   filter->SetInterval(0, 0.2, 0.5);
   filter->SetInterval(1, 0.5, 0.8);
+  filter->SetSurfaceCells(vtkIntervalVolume::ALWAYS);
 }
 
 vtkUnstructuredGrid* GetPort(vtkIntervalVolume* filter, int port)
@@ -464,7 +465,8 @@ void CheckMixed(Check& check)
           filter->AddCriterion("g", 0.3, 0.6);
         }
       }
-      filters[3]->ExtractSurfaceCellsOff();
+      filters[3]->SetSurfaceCells(
+        hasCriterion ? vtkIntervalVolume::NEVER : vtkIntervalVolume::WITHOUT_SOLIDS);
       for (vtkIntervalVolume* filter :
         { filters[0].Get(), filters[1].Get(), filters[2].Get(), filters[3].Get() })
       {
@@ -523,8 +525,8 @@ void CheckMixedParts(Check& check)
       values->InsertNextValue(value);
     }
     mesh->GetPointData()->SetScalars(values);
-    const Extraction extraction =
-      ExtractIntervals(mesh, { isSolid ? Interval{ -1, 1.5 } : Interval{ 4.5, 9 } });
+    const Extraction extraction = ExtractIntervals(
+      mesh, { isSolid ? Interval{ -1, 1.5 } : Interval{ 4.5, 9 } }, vtkIntervalVolume::ALWAYS);
     check.That(extraction.Volume->GetNumberOfCells() > 0, "there is output");
     for (vtkIdType cell = 0; cell < extraction.Volume->GetNumberOfCells(); ++cell)
     {
@@ -545,7 +547,7 @@ void CheckMixedParts(Check& check)
   builder.AddCell(VTK_TETRA, { 0, 1, 2, 3 });
   auto mesh = builder.GetMesh();
   AddLinearField(mesh, { 0, { 1, 1, 1 } });
-  const Extraction extraction = ExtractIntervals(mesh, { { -1, 2 } });
+  const Extraction extraction = ExtractIntervals(mesh, { { -1, 2 } }, vtkIntervalVolume::ALWAYS);
   check.Equal(extraction.Volume->GetNumberOfCells(), 3, "a tetrahedron and two triangles");
   check.Equal(extraction.Surface->GetNumberOfCells(), 1, "one line");
   vtkDataArray* values = extraction.Surface->GetPointData()->GetArray("f");
@@ -762,11 +764,11 @@ void CheckMessages(Check& check)
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInputData(sphere->GetOutput());
   filter->SetInterval(0, -9, 9);
-  filter->ExtractSurfaceCellsOff();
+  filter->SetSurfaceCells(vtkIntervalVolume::NEVER);
   check.Contains(WarningsOf(filter), "cells is three-dimensional");
   check.Equal(filter->GetReport()->GetCount("LowerDimensionalCells"),
     sphere->GetOutput()->GetNumberOfCells(), "skipped cells");
-  filter->ExtractSurfaceCellsOn();
+  filter->SetSurfaceCells(vtkIntervalVolume::WITHOUT_SOLIDS);
   check.That(WarningsOf(filter).empty(), "no warning");
   MeshBuilder builder;
   builder.AddPoint(0, 0, 0);

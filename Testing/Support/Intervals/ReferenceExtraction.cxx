@@ -22,12 +22,14 @@ vtkUnstructuredGrid* GetGrid(vtkAlgorithm* filter, int port)
 
 }
 
-Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& intervals)
+Extraction ExtractIntervals(
+  vtkDataSet* data, const std::vector<Interval>& intervals, int surfaceCells)
 {
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInputData(data);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->GenerateBoundariesOn();
+  filter->SetSurfaceCells(surfaceCells);
   filter->SetNumberOfIntervals(static_cast<int>(intervals.size()));
   for (size_t i = 0; i < intervals.size(); ++i)
   {

@@ -4,7 +4,8 @@
 
 #include "Support/Checks/ReferenceReport.h" // for the report
 
-#include "vtkSmartPointer.h" // for the output
+#include "vtkIntervalVolume.h" // for SurfaceCells
+#include "vtkSmartPointer.h"   // for the output
 
 #include <array>  // for intervals
 #include <vector> // for intervals
@@ -28,7 +29,8 @@ struct Extraction
   ReportCopy Report;
 };
 
-Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& intervals);
+Extraction ExtractIntervals(vtkDataSet* data, const std::vector<Interval>& intervals,
+  int surfaceCells = vtkIntervalVolume::WITHOUT_SOLIDS);
 
 struct ContourExtraction
 {
