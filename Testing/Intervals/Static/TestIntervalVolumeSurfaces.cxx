@@ -813,8 +813,8 @@ void CheckThreadsAndProgress(Check& check)
       "input " + std::to_string(i),
       [&]
       {
-        const Extraction extraction =
-          ExtractIntervals(inputs[i], { { 0.2, 0.4 }, { 0.4, 1 }, { 1, 2 } });
+        const Extraction extraction = ExtractIntervals(
+          inputs[i], { { 0.2, 0.4 }, { 0.4, 1 }, { 1, 2 } }, vtkIntervalVolume::ALWAYS);
         return std::vector<vtkSmartPointer<vtkUnstructuredGrid>>{ extraction.Volume,
           extraction.Surface };
       },
@@ -822,6 +822,7 @@ void CheckThreadsAndProgress(Check& check)
     check.SetContext("progress of input " + std::to_string(i));
     vtkNew<vtkIntervalVolume> filter;
     filter->SetInterval(0, 0.2, 1.5);
+    filter->SetSurfaceCells(vtkIntervalVolume::ALWAYS);
     if (i < 3)
     {
       CheckProgress(filter, inputs[i], VTK_TRIANGLE, check);
