@@ -26,7 +26,7 @@ struct TableCounts
   static TableCounts Get()
   {
     TableCounts counts;
-    for (int shape = 0; shape < vtkIsotable::NUMBER_OF_SHAPES; ++shape)
+    for (int shape = 0; shape < interlume::SpaceTimeTable::NumberOfShapes; ++shape)
     {
       const auto& table = interlume::SpaceTimeTable::Get(static_cast<vtkIsotable::Shapes>(shape));
       counts.Kinds += table.GetNumberOfSymmetryClasses();
