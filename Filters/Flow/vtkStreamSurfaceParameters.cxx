@@ -90,8 +90,8 @@ void AddContours(
   output->AddArray(closed);
 }
 
-void SetParametersReport(vtkInterlumeReport* report, vtkIdType contours = 0, vtkIdType closedContours = 0,
-  vtkIdType addedPoints = 0)
+void SetParametersReport(vtkInterlumeReport* report, vtkIdType contours = 0,
+  vtkIdType closedContours = 0, vtkIdType addedPoints = 0)
 {
   interlume::ReportValue::Set(report,
     { { "Contours", contours }, { "ClosedContours", closedContours },

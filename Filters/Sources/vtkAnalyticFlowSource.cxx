@@ -71,7 +71,8 @@ void vtkAnalyticFlowSource::SetNumber(double& member, double value)
 
 void vtkAnalyticFlowSource::SetLength(double& member, double value)
 {
-  interlume::ClampedValue::Set(this, member, value, MinimumLength, interlume::ClampedValue::Largest);
+  interlume::ClampedValue::Set(
+    this, member, value, MinimumLength, interlume::ClampedValue::Largest);
 }
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[3], double x, double y, double z)

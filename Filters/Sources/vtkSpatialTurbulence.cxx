@@ -50,7 +50,8 @@ vtkSpatialObject* vtkSpatialTurbulence::GetOperand() const
 
 void vtkSpatialTurbulence::SetFrequency(double x, double y, double z)
 {
-  interlume::ClampedValue::Set(this, this->Frequency, { x, y, z }, 0.0, interlume::ClampedValue::Largest);
+  interlume::ClampedValue::Set(
+    this, this->Frequency, { x, y, z }, 0.0, interlume::ClampedValue::Largest);
 }
 
 void vtkSpatialTurbulence::SetAmplitude(double amplitude)

@@ -46,7 +46,8 @@ const char* vtkTurbulenceSource::GetEnvelopeName(int envelope)
 
 void vtkTurbulenceSource::SetFrequency(double frequency)
 {
-  interlume::ClampedValue::Set(this, this->Frequency, frequency, 0.0, interlume::ClampedValue::Largest);
+  interlume::ClampedValue::Set(
+    this, this->Frequency, frequency, 0.0, interlume::ClampedValue::Largest);
 }
 
 void vtkTurbulenceSource::SetAmplitude(double amplitude)

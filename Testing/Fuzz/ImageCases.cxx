@@ -336,7 +336,8 @@ void RunShadows(FuzzRandom& random, std::string& text, reference::Check& check)
   mapper->SetScatteringMode(scattering);
   // By default, extreme voxel aspect ratios would require 65,536 slices, which take minutes.
   mapper->SetSliceSpacing(data.IsTame ? 0.0 : std::max(data.Data->GetLength() / 64.0, 0.0));
-  // By default, wide penumbras would be convolved in the largest light buffers, which takes minutes.
+  // By default, wide penumbras would be convolved in the largest light buffers, which takes
+  // minutes.
   const bool hasAreaLight = std::any_of(lights.begin(), lights.end(),
     [](vtkLight* light) { return vtkAreaLight::SafeDownCast(light) != nullptr; });
   mapper->SetLightBufferSize(hasAreaLight && !data.IsTame ? 256 : 0);

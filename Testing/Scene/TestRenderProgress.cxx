@@ -147,8 +147,8 @@ void TestImage(Check& check, const std::string& name, VolumeStage& stage, vtkAlg
   const double seconds = GetSeconds(start);
   log.Test(check, name);
   const int events = static_cast<int>(log.Fractions.size());
-  // A fast OpenGL draws the image without events. The limit is high, since the time includes waiting for other
-  // programs.
+  // A fast OpenGL draws the image without events. The limit is high, since the time includes
+  // waiting for other programs.
   check.That(events > 0 || seconds < 20.0 * RenderProgress::EVENT_SECONDS,
     name + ": events in " + std::to_string(seconds) + " s");
   for (int event = 0; event < events; ++event)

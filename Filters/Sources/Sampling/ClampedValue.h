@@ -51,8 +51,8 @@ void Set(vtkObject* owner, double (&members)[Size], const double (&values)[Size]
 }
 
 /// Assigns one \a member as SetAll() does.
-inline void Set(vtkObject* owner, double& member, double value, double lower = -Largest,
-  double upper = Largest)
+inline void Set(
+  vtkObject* owner, double& member, double value, double lower = -Largest, double upper = Largest)
 {
   SetAll(owner, &member, &value, 1, lower, upper);
 }

@@ -25,7 +25,6 @@ namespace interlume
 namespace
 {
 
-
 /// A direction in which light leaves the box, and the fraction of the sphere that it represents.
 struct Ordinate
 {

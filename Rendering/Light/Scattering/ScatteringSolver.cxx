@@ -164,8 +164,8 @@ private:
     glm::dvec3 direction(0.0);
     for (std::size_t light = 0; light < this->Medium.Lights.size(); ++light)
     {
-      direction +=
-        Vectors::Mean(this->SumExtinguished(light)) * this->Medium.Lights[light].GetDirection(center);
+      direction += Vectors::Mean(this->SumExtinguished(light)) *
+        this->Medium.Lights[light].GetDirection(center);
     }
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -159,7 +159,8 @@ private:
     for (const double tick : TicksOf(this->Y))
     {
       const std::string height = PlotNumber(this->Y.At(tick));
-      this->AddPath("M" + PlotNumber(Left) + " " + height + "H" + PlotNumber(Right), "stroke=\"#e1e1e1\"");
+      this->AddPath(
+        "M" + PlotNumber(Left) + " " + height + "H" + PlotNumber(Right), "stroke=\"#e1e1e1\"");
       this->AddText(Left - 10.0, this->Y.At(tick) + 6.0, "end", PlotNumber(tick));
     }
     for (std::size_t i = 0; i < plot.BarLabels.size(); ++i)
@@ -171,12 +172,13 @@ private:
       for (const double tick : TicksOf(this->X))
       {
         const std::string x = PlotNumber(this->X.At(tick));
-        this->AddPath("M" + x + " " + PlotNumber(Top) + "V" + PlotNumber(Bottom), "stroke=\"#e1e1e1\"");
+        this->AddPath(
+          "M" + x + " " + PlotNumber(Top) + "V" + PlotNumber(Bottom), "stroke=\"#e1e1e1\"");
         this->AddText(this->X.At(tick), Bottom + 26.0, "middle", PlotNumber(tick));
       }
     }
-    this->AddPath(
-      "M" + PlotNumber(Left) + " " + PlotNumber(Top) + "V" + PlotNumber(Bottom) + "H" + PlotNumber(Right),
+    this->AddPath("M" + PlotNumber(Left) + " " + PlotNumber(Top) + "V" + PlotNumber(Bottom) + "H" +
+        PlotNumber(Right),
       "stroke=\"#000\"");
   }
 
@@ -191,16 +193,16 @@ private:
       {
         const double first = series.X[j] - 0.4 + width * static_cast<double>(i);
         this->AddPath("M" + PlotNumber(this->X.At(first)) + " " + PlotNumber(Bottom) + "V" +
-            PlotNumber(this->Y.At(series.Y[j])) + "H" + PlotNumber(this->X.At(first + width)) + "V" +
-            PlotNumber(Bottom) + "z",
+            PlotNumber(this->Y.At(series.Y[j])) + "H" + PlotNumber(this->X.At(first + width)) +
+            "V" + PlotNumber(Bottom) + "z",
           look);
       }
       this->AddPath("M" + this->AddLegend(series.Label) + "m-30-8h30v16h-30z", look);
     }
     if (this->Plot.Reference > 0.0)
     {
-      this->AddPath(
-        "M" + PlotNumber(Left) + " " + PlotNumber(this->Y.At(this->Plot.Reference)) + "H" + PlotNumber(Right),
+      this->AddPath("M" + PlotNumber(Left) + " " + PlotNumber(this->Y.At(this->Plot.Reference)) +
+          "H" + PlotNumber(Right),
         "stroke=\"#000\" stroke-dasharray=\"8 5\"");
     }
   }
