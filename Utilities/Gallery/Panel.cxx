@@ -157,6 +157,13 @@ void Panel::SetBackground(const vtkColor3d& color)
   this->Renderer->SetBackground(color[0], color[1], color[2]);
 }
 
+void Panel::SetBackground(const vtkColor3d& lower, const vtkColor3d& upper)
+{
+  this->SetBackground(lower);
+  this->Renderer->SetBackground2(upper[0], upper[1], upper[2]);
+  this->Renderer->GradientBackgroundOn();
+}
+
 void Panel::SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights)
 {
   this->Renderer->RemoveAllLights();

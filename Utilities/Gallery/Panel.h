@@ -66,9 +66,11 @@ public:
   void UseParallelProjection() { this->Camera->ParallelProjectionOn(); }
 
   /**
-   * Sets the background color. Default: Background().
+   * Sets the background color, or a vertical gradient from \a lower to \a upper. Default:
+   * Background(). The stage leaves a gap between panels with another background.
    */
   void SetBackground(const vtkColor3d& color);
+  void SetBackground(const vtkColor3d& lower, const vtkColor3d& upper);
 
   /**
    * Sets the radius of ambient occlusion as a fraction of the diagonal of the props' bounds. 0

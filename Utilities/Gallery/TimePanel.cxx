@@ -35,13 +35,6 @@ void BalanceColors(vtkColorTransferFunction* colors)
   }
 }
 
-void UseDarkGradient(Panel& panel, const vtkColor3d& lower, const vtkColor3d& upper)
-{
-  panel.SetBackground(lower);
-  panel.GetRenderer()->SetBackground2(upper[0], upper[1], upper[2]);
-  panel.GetRenderer()->GradientBackgroundOn();
-}
-
 Panel& AddTimePanel(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction)
 {

@@ -2,8 +2,6 @@
 #ifndef TimePanel_h
 #define TimePanel_h
 
-#include "vtkColor.h"
-
 #include <vector>
 
 class vtkAlgorithm;
@@ -24,11 +22,6 @@ std::vector<double> GetTimeSteps(vtkAlgorithm* source);
  * gray. Blue, green and red then have the same mean over time.
  */
 void BalanceColors(vtkColorTransferFunction* colors);
-
-/**
- * Sets a dark background with a gradient. The stage leaves a gap between such panels.
- */
-void UseDarkGradient(Panel& panel, const vtkColor3d& lower, const vtkColor3d& upper);
 
 /**
  * Adds a dark panel that shows where the scalars of \a source are between \a lower and \a upper,

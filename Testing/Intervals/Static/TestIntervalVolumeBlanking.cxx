@@ -37,16 +37,6 @@ constexpr int NumberOfCells = 4 * 4 * 4;
 /// An interior point of the grid with 5 x 5 x 5 points. Eight cells use the point.
 constexpr vtkIdType InnerPoint = 2 + 5 * (2 + 5 * 2);
 
-void SetGhost(vtkDataSetAttributes* attributes, vtkIdType size, vtkIdType at, unsigned char value)
-{
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfTuples(size);
-  ghosts->FillValue(0);
-  ghosts->SetValue(at, value);
-  attributes->AddArray(ghosts);
-}
-
 vtkSmartPointer<vtkImageData> MakeInput()
 {
   auto image = MakeImage({ 4, 4, 4 });

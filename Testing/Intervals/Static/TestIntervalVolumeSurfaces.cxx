@@ -557,16 +557,6 @@ void CheckMixedParts(Check& check)
   }
 }
 
-void Mark(vtkDataSetAttributes* attributes, vtkIdType size, vtkIdType at, unsigned char value)
-{
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfTuples(size);
-  ghosts->FillValue(0);
-  ghosts->SetValue(at, value);
-  attributes->AddArray(ghosts);
-}
-
 /// Hidden, ghost and blanked cells, and cells with NaN, are skipped and counted.
 void CheckSkipped(Check& check)
 {
@@ -629,12 +619,13 @@ void CheckSkipped(Check& check)
     {
       check.SetContext(name + ", ghost type " + std::to_string(type));
       auto data = make(form);
-      Mark(data->GetCellData(), size * size, 7, type);
+      SetGhost(data->GetCellData(), size * size, 7, type);
       run(data, 1, "BlankedCells");
     }
     check.SetContext(name + ", hidden point");
     auto data = make(form);
-    Mark(data->GetPointData(), data->GetNumberOfPoints(), inner, vtkDataSetAttributes::HIDDENPOINT);
+    SetGhost(
+      data->GetPointData(), data->GetNumberOfPoints(), inner, vtkDataSetAttributes::HIDDENPOINT);
     run(data, 4, "BlankedCells");
     for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
     {

@@ -2,9 +2,11 @@
 #include "Support/Meshes/ReferenceField.h"
 
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <functional>
 #include <random>
@@ -55,6 +57,16 @@ vtkDoubleArray* AddLinearField(vtkDataSet* data, const LinearFunction& function,
       data->GetPoint(i, x);
       return function(x);
     });
+}
+
+void SetGhost(vtkDataSetAttributes* attributes, vtkIdType size, vtkIdType at, unsigned char value)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(size);
+  ghosts->FillValue(0);
+  ghosts->SetValue(at, value);
+  attributes->AddArray(ghosts);
 }
 
 }

@@ -2,9 +2,12 @@
 #ifndef ReferenceField_h
 #define ReferenceField_h
 
+#include "vtkType.h" // for ids
+
 #include <array> // for linear functions
 
 class vtkDataSet;
+class vtkDataSetAttributes;
 class vtkDoubleArray;
 
 namespace reference
@@ -34,6 +37,9 @@ vtkDoubleArray* AddIntegerField(
 
 vtkDoubleArray* AddLinearField(
   vtkDataSet* data, const LinearFunction& function, const char* name = "f");
+
+/// Adds a ghost array of \a size values, which are 0 except \a value at the index \a at.
+void SetGhost(vtkDataSetAttributes* attributes, vtkIdType size, vtkIdType at, unsigned char value);
 
 }
 

@@ -40,7 +40,7 @@ void Build(gallery::Stage& stage)
   gallery::AddGround(pair.Without, { { 0.0, 0.0, 0.0 } }, 2.0, 1.0, GROUND);
   pair.Without.SetAmbientOcclusion(0.0);
   gallery::UseFullResolution(pair.Without);
-  pair.UseBackdrop({ 0.90, 0.90, 0.84 }, { 0.50, 0.60, 0.56 });
+  pair.SetBackground({ 0.90, 0.90, 0.84 }, { 0.50, 0.60, 0.56 });
   pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.46, 0.66, -0.1, 0.1, -0.16, 1.06));
 }
 
@@ -51,7 +51,7 @@ void BuildSoft(gallery::Stage& stage)
     stage, image, gallery::MakeSolidMedium(image), MakeLights(), 0.9, 0.0, 640);
   AddShadedGround(pair.Hard, 1);
   AddShadedGround(pair.Soft, 48);
-  pair.UseBackdrop({ 0.92, 0.88, 0.80 }, { 0.56, 0.50, 0.46 });
+  pair.SetBackground({ 0.92, 0.88, 0.80 }, { 0.56, 0.50, 0.46 });
   pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.46, 0.66, -0.1, 0.1, -0.16, 1.06));
 }
 

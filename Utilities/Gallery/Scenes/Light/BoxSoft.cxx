@@ -64,7 +64,7 @@ void Build(gallery::Stage& stage)
     gallery::MakeFillLight({ 0.6, -1.0, 0.5 }, 0.12) };
   gallery::SoftShadowPair pair = gallery::AddSoftShadowPair(
     stage, image, medium, lights, 0.45, 10.0 * gallery::SMOKE_GRADIENT, 512);
-  pair.UseBackdrop({ 0.20, 0.23, 0.27 }, { 0.05, 0.06, 0.08 });
+  pair.SetBackground({ 0.20, 0.23, 0.27 }, { 0.05, 0.06, 0.08 });
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
   {
     panel->Add(MakeOutline(bounds));

@@ -45,7 +45,7 @@ void Build(gallery::Stage& stage)
   stage.SetColumns(2);
   for (const gallery::ShadowPair& pair : { whole, part })
   {
-    pair.UseBackdrop({ 0.52, 0.60, 0.64 }, { 0.14, 0.19, 0.23 });
+    pair.SetBackground({ 0.52, 0.60, 0.64 }, { 0.14, 0.19, 0.23 });
   }
   whole.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.3, 0.3, -0.1, 0.1, -0.26, 0.29));
   part.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.09, 0.18, -0.3, -0.1, 0.05, 0.2));

@@ -45,6 +45,6 @@ void UseSky(
   vtkSmartPointer<vtkLight> scattered = MakeParallelLight(sky, skylight);
   scattered->SetDiffuseColor(0.72, 0.85, 1.0);
   panel.SetLights({ direct, scattered });
-  UseBackdrop(panel, { 0.46, 0.62, 0.80 }, { 0.10, 0.22, 0.46 });
+  panel.SetBackground({ 0.46, 0.62, 0.80 }, { 0.10, 0.22, 0.46 });
 }
 }

@@ -23,7 +23,7 @@ void BuildSphere(gallery::Stage& stage)
     { gallery::MakeParallelProjector(
         { -2.4, -2.2, 3.4 }, { 0.0, 0.0, 0.0 }, 3.2, 3.2, 1.9, gallery::MakeGridPattern(32, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
-  gallery::UseBackdrop(panel, { 0.66, 0.72, 0.78 }, { 0.18, 0.22, 0.30 });
+  panel.SetBackground({ 0.66, 0.72, 0.78 }, { 0.18, 0.22, 0.30 });
   panel.Frame(vtkBoundingBox(-1.0, 1.2, -0.3, 0.3, -1.05, 0.76));
   panel.LookFrom({ 0.2, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
@@ -39,7 +39,7 @@ void BuildProtein(gallery::Stage& stage)
     { gallery::MakeParallelProjector(
         { -1.6, -2.4, 2.4 }, { 0.0, 0.0, 0.3 }, 2.4, 2.4, 2.3, gallery::MakeGridPattern(40, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
-  gallery::UseBackdrop(panel, { 0.66, 0.72, 0.78 }, { 0.18, 0.22, 0.30 });
+  panel.SetBackground({ 0.66, 0.72, 0.78 }, { 0.18, 0.22, 0.30 });
   panel.Frame(vtkBoundingBox(-0.74, 0.98, -0.2, 0.2, -0.36, 1.03));
   panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }

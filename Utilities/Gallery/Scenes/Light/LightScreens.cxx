@@ -130,7 +130,7 @@ Panel& AddPatternPanel(Stage& stage, vtkImageData* image, vtkProjectiveLight* li
   Panel& panel = stage.AddPanel("");
   panel.Add(volume);
   panel.SetLights({ light, MakeFillLight({ 1.0, -1.0, 0.6 }, 0.2) });
-  UseBackdrop(panel, { 0.36, 0.36, 0.38 }, { 0.20, 0.20, 0.22 });
+  panel.SetBackground({ 0.36, 0.36, 0.38 }, { 0.20, 0.20, 0.22 });
   panel.Frame(vtkBoundingBox(-0.98, 1.02, -0.1, 0.1, -0.24, 1.02));
   return panel;
 }

@@ -33,7 +33,7 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -2.2, -1.2, 3.6 }, 0.85));
-  gallery::UseBackdrop(panel, { 0.80, 0.82, 0.84 }, { 0.46, 0.54, 0.64 });
+  panel.SetBackground({ 0.80, 0.82, 0.84 }, { 0.46, 0.54, 0.64 });
   panel.LookFrom({ 0.1, -1.0, 0.8 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.4, 1.4, -0.1, 0.1, -1.18, 0.98));
 }
@@ -46,7 +46,7 @@ void BuildSoft(gallery::Stage& stage)
   gallery::SoftShadowPair pair =
     gallery::AddSoftShadowPair(stage, image, gallery::MakeSolidMedium(image),
       gallery::MakeStudioLights({ -1.1, -0.8, 4.4 }, 0.85), 1.2, 0.0, 512);
-  pair.UseBackdrop({ 0.84, 0.86, 0.88 }, { 0.50, 0.58, 0.66 });
+  pair.SetBackground({ 0.84, 0.86, 0.88 }, { 0.50, 0.58, 0.66 });
   pair.Look({ 0.1, -1.0, 1.3 }, vtkBoundingBox(-0.94, 1.2, -0.1, 0.1, -1.15, 1.6));
 }
 

@@ -39,7 +39,7 @@ void Build(gallery::Stage& stage)
   for (gallery::Panel* panel : { &one, &two })
   {
     panel->Frame(vtkBoundingBox(-0.82, 0.92, -0.1, 0.1, -0.25, 1.2));
-    gallery::UseBackdrop(*panel, { 0.62, 0.64, 0.70 }, { 0.16, 0.18, 0.24 });
+    panel->SetBackground({ 0.62, 0.64, 0.70 }, { 0.16, 0.18, 0.24 });
   }
   two.ShareCamera(one);
   one.LookFrom({ 0.1, -1.0, 0.7 }, { 0.0, 0.0, 1.0 });

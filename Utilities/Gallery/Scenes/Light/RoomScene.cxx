@@ -23,7 +23,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& panel = stage.AddPanel("");
   panel.Add(volume);
   panel.SetLights(gallery::MakeStudioLights({ 3.0, -2.3, 2.7 }, 1.1));
-  gallery::UseBackdrop(panel, { 0.24, 0.25, 0.28 }, { 0.40, 0.43, 0.48 });
+  panel.SetBackground({ 0.24, 0.25, 0.28 }, { 0.40, 0.43, 0.48 });
   panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, -0.05, 1.28));
 }

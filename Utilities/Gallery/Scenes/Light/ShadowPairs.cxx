@@ -26,7 +26,7 @@ void BuildSphereShadow(gallery::Stage& stage)
   gallery::ShadowPair pair =
     gallery::AddShadowPair(stage, image, gallery::MakeSolidMediumInSmoke(image, opacity),
       gallery::MakeStudioLights({ -1.9, -1.1, 3.6 }, 0.95), 3.0 * gallery::SMOKE_GRADIENT);
-  pair.UseBackdrop({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
+  pair.SetBackground({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
   // From this height, the floor fills the image. Its far edge would have a bright rim.
   pair.Look({ 0.1, -1.0, 1.5 }, vtkBoundingBox(-0.52, 0.88, -0.1, 0.1, -0.3, 1.1));
 }
@@ -48,7 +48,7 @@ void BuildCurvedShadows(gallery::Stage& stage)
     gallery::Sample(all, vtkBoundingBox(-1.25, 1.05, -1.0, 0.9, -0.06, 1.35), 210, 1.6);
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -0.9, -1.7, 3.8 }, 0.95));
-  pair.UseBackdrop({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
+  pair.SetBackground({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
   pair.Look({ 0.2, -1.0, 0.75 }, vtkBoundingBox(-0.66, 0.7, -0.1, 0.1, -0.42, 1.4));
 }
 
@@ -81,7 +81,7 @@ void BuildTeddyBear(gallery::Stage& stage)
     gallery::Sample(all, vtkBoundingBox(-0.95, 1.0, -0.8, 1.1, -0.06, 1.4), 266, 0.8);
   gallery::ShadowPair pair = gallery::AddShadowPair(
     stage, image, gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -0.9, -2.1, 4.1 }));
-  pair.UseBackdrop({ 0.93, 0.88, 0.78 }, { 0.52, 0.60, 0.68 });
+  pair.SetBackground({ 0.93, 0.88, 0.78 }, { 0.52, 0.60, 0.68 });
   pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.6, 0.72, -0.1, 0.1, -0.27, 1.38));
 }
 
@@ -100,7 +100,7 @@ void BuildProteinShadows(gallery::Stage& stage)
     gallery::Sample(all, vtkBoundingBox(-1.0, 1.0, -1.02, 0.9, -0.05, 1.05), 220, 0.7);
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -0.5, -1.1, 3.8 }, 0.95));
-  pair.UseBackdrop({ 0.70, 0.76, 0.83 }, { 0.20, 0.26, 0.36 });
+  pair.SetBackground({ 0.70, 0.76, 0.83 }, { 0.20, 0.26, 0.36 });
   pair.Look({ 0.0, -1.0, 0.6 }, vtkBoundingBox(-0.5, 0.66, -0.1, 0.1, -0.24, 1.08));
 }
 

@@ -194,13 +194,6 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeFloor(const vtkColor3d& color, double h
   return MakeBox({ -size, -size, height - size }, { size, size, height }, color);
 }
 
-void UseBackdrop(Panel& panel, const vtkColor3d& lower, const vtkColor3d& upper)
-{
-  panel.SetBackground(lower);
-  panel.GetRenderer()->SetBackground2(upper[0], upper[1], upper[2]);
-  panel.GetRenderer()->GradientBackgroundOn();
-}
-
 vtkSmartPointer<vtkSpatialObject> Place(
   vtkSpatialObject* object, const vtkVector3d& offset, double degrees)
 {
@@ -395,10 +388,10 @@ void ShadowPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) cons
   this->With.Frame(frame);
 }
 
-void ShadowPair::UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const
+void ShadowPair::SetBackground(const vtkColor3d& lower, const vtkColor3d& upper) const
 {
-  gallery::UseBackdrop(this->Without, lower, upper);
-  gallery::UseBackdrop(this->With, lower, upper);
+  this->Without.SetBackground(lower, upper);
+  this->With.SetBackground(lower, upper);
 }
 
 ShadowPair AddShadowPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,

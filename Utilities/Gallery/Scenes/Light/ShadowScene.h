@@ -50,9 +50,6 @@ vtkColor3d PlasterColor();
 /// volume. Frame it so that only its far edge is in view.
 vtkSmartPointer<vtkSpatialPrimitive> MakeFloor(const vtkColor3d& color, double height = 0.0);
 
-/// Sets the background to a vertical gradient from \a lower to \a upper.
-void UseBackdrop(Panel& panel, const vtkColor3d& lower, const vtkColor3d& upper);
-
 /// Returns \a object, rotated by \a degrees around the z axis and then moved by \a offset.
 vtkSmartPointer<vtkSpatialObject> Place(
   vtkSpatialObject* object, const vtkVector3d& offset, double degrees = 0.0);
@@ -157,8 +154,8 @@ struct ShadowPair
   /// Sets the same view direction and framing in both panels. z is up.
   void Look(const vtkVector3d& from, const vtkBoundingBox& frame) const;
 
-  /// Sets the same backdrop in both panels.
-  void UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const;
+  /// Sets the same gradient as the background of both panels.
+  void SetBackground(const vtkColor3d& lower, const vtkColor3d& upper) const;
 };
 
 /**

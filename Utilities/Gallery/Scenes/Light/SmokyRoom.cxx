@@ -36,7 +36,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& panel = stage.AddPanel("");
   panel.Add(volume);
   panel.SetLights(gallery::MakeStudioLights({ 2.9, -2.4, 2.8 }));
-  gallery::UseBackdrop(panel, { 0.20, 0.22, 0.26 }, { 0.34, 0.38, 0.44 });
+  panel.SetBackground({ 0.20, 0.22, 0.26 }, { 0.34, 0.38, 0.44 });
   panel.LookFrom({ 0.5, -1.0, 0.38 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-0.9, 0.8, -0.22, 1.0, 0.06, 1.0));
 }

@@ -32,7 +32,7 @@ void BuildHypertexture(gallery::Stage& stage)
   lights.back()->SetIntensity(0.4);
   gallery::Panel& panel =
     gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image), lights);
-  gallery::UseBackdrop(panel, { 0.78, 0.82, 0.86 }, { 0.16, 0.20, 0.28 });
+  panel.SetBackground({ 0.78, 0.82, 0.86 }, { 0.16, 0.20, 0.28 });
   panel.LookFrom({ 0.15, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-0.85, 1.35, -0.1, 0.1, -0.12, 1.24));
 }
@@ -43,7 +43,7 @@ void BuildHypertextureSoft(gallery::Stage& stage)
   gallery::SoftShadowPair pair =
     gallery::AddSoftShadowPair(stage, image, gallery::MakeSolidMedium(image),
       gallery::MakeStudioLights({ -1.3, -1.3, 4.6 }, 0.9), 1.1, 0.0, 768);
-  pair.UseBackdrop({ 0.86, 0.80, 0.74 }, { 0.36, 0.26, 0.28 });
+  pair.SetBackground({ 0.86, 0.80, 0.74 }, { 0.36, 0.26, 0.28 });
   pair.Look({ 0.15, -1.0, 0.55 }, vtkBoundingBox(-0.63, 0.98, -0.1, 0.1, -0.22, 1.25));
 }
 
@@ -77,7 +77,7 @@ void BuildRobot(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image = SampleRobot();
   gallery::Panel& panel = gallery::AddShadowPanel(
     stage, image, gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -3.2, -2.05, 4.2 }));
-  gallery::UseBackdrop(panel, { 0.90, 0.86, 0.80 }, { 0.40, 0.52, 0.60 });
+  panel.SetBackground({ 0.90, 0.86, 0.80 }, { 0.40, 0.52, 0.60 });
   panel.LookFrom({ 0.15, -1.0, 0.55 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-0.95, 1.15, -0.1, 0.1, -0.28, 1.27));
 }
@@ -87,7 +87,7 @@ void BuildRobotSoft(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image = SampleRobot();
   gallery::SoftShadowPair pair = gallery::AddSoftShadowPair(stage, image,
     gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -2.6, -2.3, 4.8 }), 0.7, 0.0, 768);
-  pair.UseBackdrop({ 0.86, 0.88, 0.90 }, { 0.34, 0.38, 0.52 });
+  pair.SetBackground({ 0.86, 0.88, 0.90 }, { 0.34, 0.38, 0.52 });
   pair.Look({ 0.2, -1.0, 0.7 }, vtkBoundingBox(-0.8, 0.7, -0.1, 0.1, -0.2, 1.2));
 }
 

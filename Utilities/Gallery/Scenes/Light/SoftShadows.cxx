@@ -32,9 +32,9 @@ void SoftShadowPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) 
   ShadowPair{ this->Hard, this->Soft }.Look(from, frame);
 }
 
-void SoftShadowPair::UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const
+void SoftShadowPair::SetBackground(const vtkColor3d& lower, const vtkColor3d& upper) const
 {
-  ShadowPair{ this->Hard, this->Soft }.UseBackdrop(lower, upper);
+  ShadowPair{ this->Hard, this->Soft }.SetBackground(lower, upper);
 }
 
 SoftShadowPair AddSoftShadowPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,

@@ -24,7 +24,7 @@ struct SoftShadowPair
   void Look(const vtkVector3d& from, const vtkBoundingBox& frame) const;
 
   /// Sets the same backdrop in both panels.
-  void UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const;
+  void SetBackground(const vtkColor3d& lower, const vtkColor3d& upper) const;
 };
 
 /**

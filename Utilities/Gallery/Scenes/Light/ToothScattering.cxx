@@ -70,7 +70,7 @@ void Build(gallery::Stage& stage)
     lamp->SetDiffuseColor(1.0, 0.95, 0.85);
     panel->SetLights(
       { lamp, gallery::MakeParallelLight({ -0.7, -1.0, 0.6 }, panel == &with ? 0.12 : 1.0) });
-    gallery::UseBackdrop(*panel, { 0.20, 0.23, 0.28 }, { 0.06, 0.07, 0.09 });
+    panel->SetBackground({ 0.20, 0.23, 0.28 }, { 0.06, 0.07, 0.09 });
   }
   const double* bounds = image->GetBounds();
   const vtkVector3d size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);

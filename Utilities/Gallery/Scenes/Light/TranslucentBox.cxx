@@ -52,7 +52,7 @@ constexpr double AIR_FRACTION = 0.2;
 /// Sets a background as dark as unlit air, so that the limits of the air are not visible.
 void UseDarkness(Panel& panel)
 {
-  UseBackdrop(panel, { 0.03, 0.03, 0.035 }, { 0.03, 0.03, 0.035 });
+  panel.SetBackground({ 0.03, 0.03, 0.035 }, { 0.03, 0.03, 0.035 });
 }
 
 vtkSmartPointer<vtkImageData> SampleBox(const TranslucentBox& box)

@@ -39,7 +39,7 @@ void AddSurfaces(gallery::Panel& panel, double gain)
   // The ground casts no shadows, so the mushrooms fill the shadow maps.
   vtkShadowedScenePass::SetCastsShadows(panel.GetRenderer()->GetActors()->GetLastActor(), false);
   gallery::UseFullResolution(panel);
-  gallery::UseBackdrop(panel, { 0.88, 0.88, 0.82 }, { 0.48, 0.58, 0.60 });
+  panel.SetBackground({ 0.88, 0.88, 0.82 }, { 0.48, 0.58, 0.60 });
 }
 
 /// Adds a panel of the bonsai in \a image and the mushrooms, with mutual shadows. Each

@@ -50,7 +50,7 @@ void Build(gallery::Stage& stage)
   gallery::UseSceneShadows(panel);
   // The skylight comes from the camera, so that only the shadow of sunlight is visible.
   gallery::UseSky(panel, { -0.55, 0.3, 1.0 }, { 0.12, -1.0, 0.62 }, 0.23, 0.11);
-  gallery::UseBackdrop(panel, { 0.10, 0.22, 0.40 }, { 0.36, 0.54, 0.74 });
+  panel.SetBackground({ 0.10, 0.22, 0.40 }, { 0.36, 0.54, 0.74 });
   panel.Frame(vtkBoundingBox(-1.05, 1.05, -0.1, 0.1, -0.1, 0.98));
 }
 

@@ -47,7 +47,7 @@ void AddMushrooms(
   gallery::AddModel(panel, MakeMushrooms(), gallery::EDGE_GAIN);
   gallery::UseSceneShadows(panel, samples);
   gallery::UseFullResolution(panel);
-  gallery::UseBackdrop(panel, { 0.80, 0.86, 0.84 }, { 0.30, 0.44, 0.46 });
+  panel.SetBackground({ 0.80, 0.86, 0.84 }, { 0.30, 0.44, 0.46 });
   panel.SetLights(lights);
   panel.LookFrom({ 0.1, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }

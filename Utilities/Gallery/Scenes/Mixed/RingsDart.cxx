@@ -20,7 +20,7 @@ void Build(gallery::Stage& stage)
     gallery::EDGE_GAIN);
   gallery::UseSceneShadows(panel);
   gallery::UseFullResolution(panel);
-  gallery::UseBackdrop(panel, { 0.84, 0.80, 0.74 }, { 0.52, 0.44, 0.42 });
+  panel.SetBackground({ 0.84, 0.80, 0.74 }, { 0.52, 0.44, 0.42 });
   panel.LookFrom({ 0.1, -1.0, 0.8 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.4, 1.4, -0.1, 0.1, -1.18, 0.98));
 }

@@ -38,7 +38,7 @@ void Build(gallery::Stage& stage)
   pass->SetDepthBias(3.0);
   panel.SetLights({ gallery::MakePointLight({ -2.8, -2.0, 3.2 }, 1.25),
     gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.25) });
-  gallery::UseBackdrop(panel, { 0.84, 0.80, 0.74 }, { 0.34, 0.34, 0.40 });
+  panel.SetBackground({ 0.84, 0.80, 0.74 }, { 0.34, 0.34, 0.40 });
   panel.Frame(vtkBoundingBox(-1.15, 1.25, -0.1, 0.1, -0.45, 1.42));
 }
 

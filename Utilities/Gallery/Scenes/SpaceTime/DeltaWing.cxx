@@ -89,7 +89,7 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
     panel.Add(
       MakeVolumeOfIntervals(MakeTimeBoundary(interval, { boundary.Kind }), { boundary.Look }));
     panel.Add(MakeDeltaWing(WING_COLOR));
-    UseDarkGradient(panel, SKY_COLOR, { 0.08, 0.10, 0.16 });
+    panel.SetBackground(SKY_COLOR, { 0.08, 0.10, 0.16 });
   }
 }
 

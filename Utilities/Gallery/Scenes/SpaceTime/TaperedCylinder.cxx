@@ -100,7 +100,7 @@ void BuildTimePriority(gallery::Stage& stage)
     panel->Add(volume);
     panel->Add(MakeCylinder(wake, { 0.6, 0.61, 0.64 }));
     // The wake extends past the edges of the panels.
-    gallery::UseDarkGradient(*panel, { 0.05, 0.045, 0.07 }, { 0.03, 0.025, 0.05 });
+    panel->SetBackground({ 0.05, 0.045, 0.07 }, { 0.03, 0.025, 0.05 });
     panel->Frame(vtkBoundingBox(-0.5, 8.4, -0.5, 0.5, 0.8, 10.0));
   }
   stage.SetColorKey("", { { yellow, "time 0" }, { red, "time 0.6" } });

@@ -73,7 +73,7 @@ void BuildTimeBoundaries(gallery::Stage& stage)
     gallery::Panel& panel =
       stage.AddPanel(captions[static_cast<std::size_t>(kind)], { 0.25, -1.0, 0.55 });
     panel.SetAmbientOcclusion(0.0);
-    gallery::UseDarkGradient(panel, { 0.05, 0.055, 0.07 }, { 0.11, 0.12, 0.15 });
+    panel.SetBackground({ 0.05, 0.055, 0.07 }, { 0.11, 0.12, 0.15 });
     vtkSmartPointer<vtkVolume> volume =
       gallery::MakeTimeColoredVolume(tetrahedra, { 0.0, 1.0 }, 2.0);
     panel.Add(volume);
