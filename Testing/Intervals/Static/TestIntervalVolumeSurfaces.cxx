@@ -26,7 +26,6 @@
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUniformGrid.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
