@@ -62,8 +62,12 @@ class Panel:
         for light in lights:
             self.renderer.AddLight(light)
 
-    def set_background(self, *color):
-        self.renderer.SetBackground(color)
+    def set_background(self, lower, upper=None):
+        """Sets the color behind the props, or two colors between which it changes upward."""
+        self.renderer.SetBackground(lower)
+        if upper:
+            self.renderer.SetBackground2(upper)
+            self.renderer.GradientBackgroundOn()
 
     def get_points(self):
         if self.box:
@@ -157,7 +161,10 @@ class Stage:
         rows = (len(self.panels) + columns - 1) // columns
         row, column = divmod(number, columns)
         legend = int(4.4 * self.font) if self.legend else 0
-        left, right = (self.width * i // columns for i in (column, column + 1))
+        # Without a gap, panels with a background of two colors would appear as one.
+        gap = self.width // 200 if self.panels[number].renderer.GetGradientBackground() else 0
+        left = self.width * column // columns + (gap if column > 0 else 0)
+        right = self.width * (column + 1) // columns - (gap if column + 1 < columns else 0)
         free = self.height - legend
         bottom, top = (legend + free * (rows - i) // rows for i in (row + 1, row))
         caption = int(2.4 * self.font) if self.panels[number].caption else 0

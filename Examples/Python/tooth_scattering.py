@@ -13,7 +13,7 @@ from stage import Stage
 tooth = smooth(read("tooth.vti"), (1.2, 1.2, 2.5))  # hides the rings of the scan
 stage = Stage()
 without, within = map(stage.add_panel, ("light that is reflected", "light that is scattered inside"))
-for panel, key, fill in ((without, 1.4, 1.3), (within, 0.43, 0.28)):
+for panel, key, fill in ((without, 1.8, 1.0), (within, 0.44, 0.12)):
     volume = make_sliced_volume(tooth)
     medium, mapper = volume.GetProperty(), volume.GetMapper()
     medium.SetScalarOpacity(make_opacities((115.0, 0.0), (150.0, 0.35), (255.0, 0.45)))
@@ -31,7 +31,7 @@ for panel, key, fill in ((without, 1.4, 1.3), (within, 0.43, 0.28)):
     panel.add(volume)
     panel.set_lights(make_parallel_light((1.0, 0.55, 0.5), key, (1.0, 0.95, 0.85)),
                      make_parallel_light((-0.7, -1.0, 0.6), fill))
-    panel.set_background(0.20, 0.23, 0.28)
+    panel.set_background((0.20, 0.23, 0.28), (0.06, 0.07, 0.09))
     lower, upper = np.reshape(tooth.GetBounds(), (3, 2)).T[:, :, None]
     fractions = np.array([(0.16, 0.84), (0.45, 0.55), (0.12, 1.0)])
     panel.frame(*(lower + fractions * (upper - lower)).ravel())

@@ -31,7 +31,7 @@ volume.GetMapper().SetBlendModeToAdditive()
 
 stage = Stage()
 panel = stage.add_panel()
-panel.set_background(*DARK)
+panel.set_background(DARK)
 panel.add(volume)
 panel.camera.ParallelProjectionOn()
 panel.frame(-1.05, 1.05, -0.1, 0.1, -0.5, 0.5)
