@@ -88,9 +88,12 @@ def observe(*observers):
 
 
 def watch():
-    """Starts recording the number of cells of the active source at each image of the active view, and a trace."""
+    """Starts recording the number of cells of the active source at each image of the active view, and a trace. No
+    image is refined until watched() is called, because a refinement would look like an image of the drag."""
     source = simple.GetActiveSource().GetClientSideObject()
     FRAMES.clear()
+    set_progressive(0)
+    simple.Render()  # a refinement of the previous image may be due
     observe((simple.GetActiveView().SMProxy, "EndEvent",
              lambda *_: FRAMES.append(source.GetOutputDataObject(0).GetNumberOfElements(1))))
     if servermanager.vtkSMTrace.GetActiveTracer():  # of a previous drag that was not read
@@ -103,6 +106,7 @@ def watched(name):
     fewer cells than the last image, whether that image is exact, and the number of lines of trace that set the
     property."""
     lines = smtrace.stop_trace().splitlines()
+    set_progressive(1)
     source = simple.GetActiveSource().GetClientSideObject()
     shown = FRAMES[-1] if FRAMES else 0
     source.Modified()
@@ -225,4 +229,5 @@ def remember(source):
 
 
 def reset():
+    set_progressive(1)
     simple.ResetSession()

@@ -170,14 +170,14 @@ def as_set(cells):
 
 
 class Checks:
-    """Counts failed checks. `finish` ends the script with status 1 if there are any."""
+    """Collects failed checks. `finish` lists them and ends the script with status 1 if there are any."""
 
     def __init__(self):
-        self.failures = 0
+        self.failures = []
 
     def that(self, condition, what):
         if not condition:
-            self.failures += 1
+            self.failures.append(what)
             print("failed:", what, flush=True)
 
     def one_message(self, texts, part, what):
@@ -193,7 +193,9 @@ class Checks:
         self.that(error <= bound, f"{what}: {value!r}, expected {expected!r} within {bound!r}")
 
     def finish(self):
-        print("checks failed:", self.failures, flush=True)
+        # The end of a long output is what remains of it in reports.
+        summary = [*("failed: " + what for what in self.failures), f"checks failed: {len(self.failures)}"]
+        print("\n".join(summary), flush=True)
         if self.failures:  # otherwise the script must end normally, so that MPI is finalized
             sys.exit(1)
 
