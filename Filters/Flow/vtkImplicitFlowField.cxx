@@ -12,6 +12,7 @@
 #include "Fields/FieldInput.h"
 #include "Fields/FieldVectors.h"
 #include "Numerics/SpeedScale.h"
+#include "Samples/CellRefinement.h"
 #include "Samples/ImplicitFlowRun.h"
 #include "Samples/OutputPiece.h"
 #include "Samples/DistributedSamples.h"
@@ -290,7 +291,7 @@ int vtkImplicitFlowField::RequestDataObject(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
   vtkSmartPointer<vtkDataSet> samples = this->MakeSamples(inputs);
-  if (this->RefinementLevels > 0)
+  if (this->IsOutputUnstructured())
   {
     samples = vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
@@ -320,7 +321,7 @@ int vtkImplicitFlowField::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* info = outputs->GetInformationObject(0);
-  if (this->RefinementLevels > 0)
+  if (this->IsOutputUnstructured())
   {
     // The output is unstructured. Extents from earlier requests must not be passed to the inputs.
     info->Remove(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
@@ -582,7 +583,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& ex
       execution.GetNumberOfPoints() > interlume::SampleGrid::MaximumPoints);
   execution.Options.SamplingChecks = isSampled ? this->SamplingChecks : 0;
   execution.Samples = execution.Output;
-  if (this->RefinementLevels > 0)
+  if (this->IsOutputUnstructured())
   {
     execution.Samples = this->MakeSamples(execution.Inputs);
   }
@@ -649,6 +650,10 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
   if (run.GetRefinedSamples())
   {
     execution.Output->ShallowCopy(run.GetRefinedSamples());
+  }
+  else if (this->IsOutputUnstructured())
+  {
+    execution.Output->ShallowCopy(interlume::CellRefinement::MakeGrid(execution.Samples));
   }
   return Outcome::COMPLETE;
 }
@@ -911,7 +916,7 @@ void vtkImplicitFlowField::GetExtent(vtkInformation* info, const int whole[6], i
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   std::copy_n(whole, 6, extent);
-  if (this->RefinementLevels > 0)
+  if (this->IsOutputUnstructured())
   {
     int all[6];
     std::copy_n(whole, 6, all);
@@ -1037,6 +1042,7 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
       { "ComputeMeanVorticity", this->ComputeMeanVorticity }, { "MeanArrays", this->MeanArrays },
       { "InterpolateStreamlines", this->InterpolateStreamlines },
       { "StoreStepCounts", this->StoreStepCounts }, { "RefinementLevels", this->RefinementLevels },
+      { "UnstructuredOutput", this->UnstructuredOutput },
       { "CheckpointFileName", this->CheckpointFileName },
       { "CheckpointInterval", this->CheckpointInterval } });
   os << indent << "Report:\n";

@@ -58,7 +58,7 @@ struct FlowReport;
  * arrays with the prefix vtkFlowStatus::FarSidePrefix: far-side values of samples near a surface.
  * AdvectionTime becomes the active scalars. The output type is that of the field or of port 1
  * (vtkUnstructuredGrid for composite data), vtkImageData for SAMPLES_OF_IMAGE, and
- * vtkUnstructuredGrid with RefinementLevels.
+ * vtkUnstructuredGrid with UnstructuredOutput or RefinementLevels.
  *
  * Notes:
  * - On a surface to which streamlines return, AdvectionTime jumps: it is 0 on one side.
@@ -319,6 +319,16 @@ public:
 
   ///@{
   /**
+   * If true, the output is a vtkUnstructuredGrid for any input, with the same samples, cells and
+   * arrays. Points and cells of structured samples are then stored. Default: off.
+   */
+  vtkSetMacro(UnstructuredOutput, bool);
+  vtkGetMacro(UnstructuredOutput, bool);
+  vtkBooleanMacro(UnstructuredOutput, bool);
+  ///@}
+
+  ///@{
+  /**
    * If true, samples on an image, a rectilinear or a structured grid may be interpolated from
    * surrounding samples, where comparison with a streamline shows that MaximumError holds. Samples
    * are never interpolated between different FlowStatus or TerminationId values, across a seam, or
@@ -430,6 +440,10 @@ private:
 
   /// Returns an error if a block of composite input cannot be used.
   interlume::Error CheckBlocks(const interlume::FieldInput& input);
+  bool IsOutputUnstructured() const
+  {
+    return this->UnstructuredOutput || this->RefinementLevels > 0;
+  }
   /// Creates an empty dataset of the type that samples have before refinement.
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkInformationVector** inputs) const;
   /// Returns true if the field is distributed over the processes. If not, and there are several
@@ -501,6 +515,7 @@ private:
   int SampleMode = SAMPLES_AUTOMATIC;
   int SampleDimensions[3] = { 64, 64, 64 };
   double SampleBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  bool UnstructuredOutput = false;
   std::string CheckpointFileName;
   double CheckpointInterval = 60.0;
   vtkNew<vtkInterlumeReport> Report;

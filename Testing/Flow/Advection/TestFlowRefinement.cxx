@@ -9,18 +9,21 @@
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
+#include "Support/Meshes/ReferenceGrid.h"
 
 #include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkTerminationPlane.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
@@ -420,6 +423,47 @@ void TestSamples(Check& check)
   CheckPrinted(Print(field), { "RefinementLevels: 6" }, check);
 }
 
+/// Tests that an unstructured output has the samples, cells and arrays of the ordinary output, with
+/// and without pieces, and that the ordinary type returns. VTK converts the ordinary output.
+void TestUnstructuredOutput(Check& check)
+{
+  for (const auto& grid : MakeGrids())
+  {
+    check.SetContext("unstructured output of " + grid.first);
+    vtkNew<vtkImplicitFlowField> field;
+    field->SetInputDataObject(grid.second);
+    AddPlanes(field);
+    vtkNew<vtkAppendFilter> expected;
+    expected->SetInputConnection(field->GetOutputPort());
+    expected->SetOutputPointsPrecision(vtkPointSet::SafeDownCast(grid.second)
+        ? vtkAlgorithm::DEFAULT_PRECISION
+        : vtkAlgorithm::DOUBLE_PRECISION);
+    expected->Update();
+    vtkNew<vtkUnstructuredGrid> converted;
+    converted->ShallowCopy(expected->GetOutput());
+    field->UnstructuredOutputOn();
+    field->Update();
+    auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
+    check.That(mesh != nullptr, "the type");
+    const std::string difference = FindDifference(mesh, converted);
+    check.That(difference.empty(), "equal to the output as VTK converts it: " + difference);
+    check.That(
+      mesh->GetFieldData()->GetAbstractArray("TerminationSurfaces") != nullptr, "surfaces");
+    vtkIdType cells = 0;
+    for (int piece = 0; piece < 3; ++piece)
+    {
+      field->UpdatePiece(piece, 3, 0);
+      cells += vtkDataSet::SafeDownCast(field->GetOutputDataObject(0))->GetNumberOfCells();
+    }
+    check.Equal(cells, converted->GetNumberOfCells(), "cells of pieces");
+    field->UnstructuredOutputOff();
+    field->Update();
+    check.That(
+      std::strcmp(field->GetOutputDataObject(0)->GetClassName(), grid.second->GetClassName()) == 0,
+      "the type is that of the input again");
+  }
+}
+
 /// Cells of types that cannot be refined are unchanged. Other cells next to them are refined.
 void TestOtherCells(Check& check)
 {
@@ -587,6 +631,7 @@ int TestFlowRefinement(int, char*[])
   TestRotation(check);
   TestThreads(check);
   TestSamples(check);
+  TestUnstructuredOutput(check);
   TestOtherCells(check);
   TestGhosts(check);
   TestProgress(check);
