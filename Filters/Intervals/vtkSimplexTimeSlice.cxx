@@ -84,6 +84,43 @@ void SetRequestedTime(vtkInformation* request, vtkDataObject* output)
   }
 }
 
+// Returns the normal's coordinate that time replaces, or 3 if it is time itself.
+int FindReplacedAxis(const std::array<double, 4>& normal)
+{
+  int largest = 3;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::abs(normal[axis]) > std::abs(normal[largest]) ? axis : largest;
+  }
+  return largest;
+}
+
+// Returns the positions of all points along the normal. They are NaN at times that are not finite.
+vtkSmartPointer<vtkDoubleArray> MakePositions(
+  vtkUnstructuredGrid* input, vtkDataArray* times, const std::array<double, 4>& normal)
+{
+  auto positions = vtkSmartPointer<vtkDoubleArray>::New();
+  positions->SetNumberOfValues(input->GetNumberOfPoints());
+  vtkSMPTools::For(0, input->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType point = first; point < last; ++point)
+      {
+        double x[3];
+        input->GetPoint(point, x);
+        const double time = times->GetComponent(point, 0);
+        // Components of the normal that are zero must not multiply infinite coordinates.
+        double sum = std::isfinite(time) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+        for (int axis = 0; axis < 4; ++axis)
+        {
+          sum += normal[axis] == 0.0 ? 0.0 : normal[axis] * (axis < 3 ? x[axis] : time);
+        }
+        positions->SetValue(point, sum);
+      }
+    });
+  return positions;
+}
+
 // Finds the time range of all datasets of an input. If there are no times, sets range[0] >
 // range[1].
 void FindTimes(vtkDataObject* input, double range[2])
@@ -103,18 +140,31 @@ void FindTimes(vtkDataObject* input, double range[2])
   }
 }
 
-// Returns an error if the array `Time` or the time of the slice is invalid.
-interlume::Error CheckTimes(vtkUnstructuredGrid* input, double time)
+// Returns an error if the array `Time`, the position or the normal of the slice is invalid.
+interlume::Error CheckTimes(
+  vtkUnstructuredGrid* input, double position, const std::array<double, 4>& normal, bool isAtTime)
 {
   interlume::Error error = interlume::ExtractionInput::CheckScalars(input,
     input->GetPointData()->GetAbstractArray(TimeName), vtkDataObject::FIELD_ASSOCIATION_POINTS,
     "point array \"Time\"");
-  if (error || std::isfinite(time))
+  const double sum =
+    std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]) + std::abs(normal[3]);
+  const bool isNormal = std::isfinite(sum) && sum > 0.0;
+  if (error || (isNormal && std::isfinite(position)))
   {
     return error;
   }
   std::ostringstream message;
-  message << "The time of the slice is " << time << ", which is not finite. Set a finite Time.";
+  if (!isNormal)
+  {
+    message << "The Normal (" << normal[0] << ", " << normal[1] << ", " << normal[2] << ", "
+            << normal[3] << ") is zero or not finite. Set a finite Normal other than zero.";
+  }
+  else
+  {
+    message << "The " << (isAtTime ? "time" : "position") << " of the slice is " << position
+            << ", which is not finite. Set a finite " << (isAtTime ? "Time." : "Position.");
+  }
   return message.str();
 }
 }
@@ -152,7 +202,7 @@ int vtkSimplexTimeSlice::RequestInformation(
   vtkInformation* output = outputs->GetInformationObject(0);
   output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  if (this->FollowTime)
+  if (this->FollowTime && this->IsAtTime())
   {
     // Without a time range, the pipeline would not execute again when another time is requested.
     double range[2];
@@ -167,8 +217,26 @@ int vtkSimplexTimeSlice::RequestInformation(
   return 1;
 }
 
-double vtkSimplexTimeSlice::GetTimeOfSlice(vtkInformation* output) const
+std::array<double, 4> vtkSimplexTimeSlice::MakeNormal() const
 {
+  std::array<double, 4> normal{};
+  if (this->SliceAxis == HYPERPLANE)
+  {
+    std::copy_n(this->Normal, 4, normal.begin());
+  }
+  else
+  {
+    normal[this->SliceAxis] = 1.0;
+  }
+  return normal;
+}
+
+double vtkSimplexTimeSlice::GetPositionOfSlice(vtkInformation* output) const
+{
+  if (!this->IsAtTime())
+  {
+    return this->Position;
+  }
   vtkInformationDoubleKey* requested = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
   if (!this->FollowTime || !output->Has(requested) || this->InputRange[0] > this->InputRange[1])
   {
@@ -180,12 +248,20 @@ double vtkSimplexTimeSlice::GetTimeOfSlice(vtkInformation* output) const
 int vtkSimplexTimeSlice::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  FindTimes(vtkDataObject::GetData(inputs[0]), this->InputRange);
+  if (this->IsAtTime())
+  {
+    FindTimes(vtkDataObject::GetData(inputs[0]), this->InputRange);
+  }
+  else
+  {
+    this->InputRange[0] = std::numeric_limits<double>::infinity();
+    this->InputRange[1] = -std::numeric_limits<double>::infinity();
+  }
   vtkInformation* info = outputs->GetInformationObject(0);
   interlume::SimplexTimeSliceReport report;
-  report.Time = this->GetTimeOfSlice(info);
+  report.Time = this->GetPositionOfSlice(info);
   this->SetProgressText("Cutting the 4-simplices");
-  vtkInformation* request = this->FollowTime ? info : nullptr;
+  vtkInformation* request = this->FollowTime && this->IsAtTime() ? info : nullptr;
   interlume::EmptyOutputDiagnosis empty;
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
@@ -212,8 +288,9 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
     return;
   }
   report.Simplices += dataset->GetNumberOfCells();
-  const double time = report.Time;
-  if (const interlume::Error error = input ? CheckTimes(input, time)
+  const double position = report.Time;
+  const std::array<double, 4> normal = this->MakeNormal();
+  if (const interlume::Error error = input ? CheckTimes(input, position, normal, this->IsAtTime())
                                            : std::string("A dataset of the input is a ") +
         dataset->GetClassName() + "; 4-simplices are the cells of a vtkUnstructuredGrid.")
   {
@@ -221,14 +298,25 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
     empty.SetExplained();
     return;
   }
-  const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours({ time });
-  const vtkSmartPointer<vtkDataArray> times =
-    interlume::ExtractionDispatch::MakeContiguous(input->GetPointData()->GetArray(TimeName));
+  const interlume::ExtractionValues values = interlume::ExtractionValues::ForContours({ position });
+  vtkSmartPointer<vtkDataArray> positions = input->GetPointData()->GetArray(TimeName);
+  if (this->IsAtTime())
+  {
+    positions = interlume::ExtractionDispatch::MakeContiguous(positions);
+  }
+  else
+  {
+    positions = MakePositions(input, positions, normal);
+    double range[2];
+    positions->GetFiniteRange(range, 0);
+    this->InputRange[0] = std::min(this->InputRange[0], range[0]);
+    this->InputRange[1] = std::max(this->InputRange[1], range[1]);
+  }
   interlume::ExtractionContext context;
   context.Owner = this;
   context.Values = &values;
   context.Input = input;
-  context.Scalars = times;
+  context.Scalars = positions;
   const interlume::NonFinitePoints nonFinite(input);
   context.NonFinitePoints = nonFinite.GetMarks();
   vtkNew<vtkCellData> cellData;
@@ -238,7 +326,10 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   context.KeepCellIds = cellData->GetNumberOfArrays() > 0;
   context.CellGhosts = input->GetCellGhostArray();
   context.PointGhosts = input->GetPointGhostArray();
+  const int replaced = FindReplacedAxis(normal);
   interlume::SimplexSlicer::Slice slice;
+  slice.IsAtTime = this->IsAtTime();
+  slice.IsMirrored = (replaced != 3) != (normal[replaced] < 0.0);
   if (!interlume::SimplexSlicer::Execute(context, input, slice))
   {
     return;
@@ -261,7 +352,15 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   output->SetCells(VTK_TETRA, slice.Tetrahedra.MakeCells());
   this->UpdateProgress(0.85);
   arrays.AddTo(output->GetPointData());
-  FillTime(output->GetPointData(), output->GetNumberOfPoints(), time);
+  if (this->IsAtTime())
+  {
+    FillTime(output->GetPointData(), output->GetNumberOfPoints(), position);
+  }
+  else if (replaced != 3)
+  {
+    output->GetPoints()->GetData()->CopyComponent(
+      replaced, output->GetPointData()->GetArray(TimeName), 0);
+  }
   this->UpdateProgress(0.95);
   interlume::ExtractionArrays::CopyCellData(cellData, slice.CellIds.GetData(),
     static_cast<vtkIdType>(slice.CellIds.GetSize()), output->GetCellData());
@@ -276,7 +375,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   SetRequestedTime(request, output);
 }
 
-std::string vtkSimplexTimeSlice::ExplainEmpty(double time) const
+std::string vtkSimplexTimeSlice::ExplainEmpty(double position) const
 {
   std::ostringstream why;
   if (this->InputRange[0] > this->InputRange[1])
@@ -286,8 +385,10 @@ std::string vtkSimplexTimeSlice::ExplainEmpty(double time) const
   }
   else
   {
-    why << "no 4-simplex has an extent in space at the time " << time << "; their times range from "
-        << this->InputRange[0] << " to " << this->InputRange[1] << ".";
+    why << "no 4-simplex has an extent in the slice at the "
+        << (this->IsAtTime() ? "time " : "position ") << position << "; their "
+        << (this->IsAtTime() ? "times" : "positions") << " range from " << this->InputRange[0]
+        << " to " << this->InputRange[1] << ".";
   }
   return why.str();
 }
@@ -295,6 +396,10 @@ std::string vtkSimplexTimeSlice::ExplainEmpty(double time) const
 void vtkSimplexTimeSlice::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SliceAxis: " << this->SliceAxis << "\n";
+  os << indent << "Position: " << this->Position << "\n";
+  os << indent << "Normal: (" << this->Normal[0] << ", " << this->Normal[1] << ", "
+     << this->Normal[2] << ", " << this->Normal[3] << ")\n";
   os << indent << "Time: " << this->Time << "\n";
   os << indent << "FollowTime: " << this->FollowTime << "\n";
   os << indent << "WarnOnEmptyOutput: " << this->WarnOnEmptyOutput << "\n";

@@ -97,6 +97,8 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
     vtkNew<vtkSimplexTimeSlice> slice;
     slice->SetInputConnection(filter->GetOutputPort(2));
     slice->SetTime(random.Between(times.front(), times.back()));
+    slice->SetSliceAxis(random.Chance(0.5) ? vtkSimplexTimeSlice::TIME_AXIS : random.Integer(0, 4));
+    slice->SetPosition(random.Between(-1.0, 1.0));
     slice->Update();
     check.That(slice->GetOutputDataObject(0) != nullptr, "the time slice has an output");
   }

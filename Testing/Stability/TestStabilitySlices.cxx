@@ -91,6 +91,46 @@ void TestScales(StabilityCatalogue& catalogue)
   }
 }
 
+void TestAxes(StabilityCatalogue& catalogue)
+{
+  vtkNew<vtkSimplexTimeSlice> slice;
+  for (const double step : { 1e-200, 1e-9, 1e9, 1e200 })
+  {
+    slice->SetInputData(MakeSimplices(step));
+    slice->SetSliceAxis(vtkSimplexTimeSlice::Y_AXIS);
+    slice->SetPosition(0.37);
+    catalogue.Measure("along-y-steps-" + FormatShort(step),
+      "a slice along y, steps " + FormatShort(step) + " apart", "relative error of the volume",
+      GetVolume(slice) / 3.0 / step - 1.0, 1e-12);
+  }
+  slice->SetInputData(MakeSimplices());
+  slice->SetSliceAxis(vtkSimplexTimeSlice::HYPERPLANE);
+  for (const double length : { 1e-300, 1e-9, 1e9, 1e300 })
+  {
+    slice->SetNormal(0.0, 0.0, -length, 0.0);
+    slice->SetPosition(-0.37 * length);
+    catalogue.Measure("normal-" + FormatShort(length),
+      "a hyperplane whose normal has the length " + FormatShort(length),
+      "relative error of the volume", GetVolume(slice) / 3.0 - 1.0, 1e-12);
+  }
+  const auto mend = [&]()
+  {
+    slice->SetNormal(1.0, 1.0, 1.0, 1.0);
+    slice->SetPosition(1.5);
+  };
+  for (const double value : { NaN, Infinity })
+  {
+    slice->SetPosition(value);
+    ReportRejection(catalogue, slice, "position-" + FormatShort(value),
+      "a slice at position " + FormatShort(value), "Position", mend);
+    slice->SetNormal(0.0, value, 0.0, 0.0);
+    ReportRejection(catalogue, slice, "normal-y-" + FormatShort(value),
+      "a normal with a component " + FormatShort(value), "Normal", mend);
+  }
+  slice->SetNormal(0.0, 0.0, 0.0, 0.0);
+  ReportRejection(catalogue, slice, "normal-zero", "a normal of zero length", "Normal", mend);
+}
+
 void TestSimplices(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkSimplexTimeSlice> slice;

@@ -65,6 +65,19 @@ bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const SlicePoint* poin
   return false;
 }
 
+template <typename Id>
+bool HasRepeatedPoint(const Id* ids)
+{
+  for (int v = 1; v < SimplexSize; ++v)
+  {
+    if (std::find(ids, ids + v, ids[v]) != ids + v)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Adds a tetrahedron of a cell. \a indices holds the index of each slot's point in the chunk.
 template <typename Id>
 void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* indices,
@@ -81,9 +94,9 @@ void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* indi
 class SimplexIntersections
 {
 public:
-  explicit SimplexIntersections(vtkCellData* cells)
+  SimplexIntersections(vtkCellData* cells, bool isAtTime)
     : Intervals(cells->GetArray("IntervalId"))
-    , AtStep(cells->GetArray("AtStep"))
+    , AtStep(isAtTime ? cells->GetArray("AtStep") : nullptr)
   {
   }
 
@@ -154,7 +167,7 @@ public:
     , Ids(ids)
     , Scalars(context.MakeScalars())
     , Order(grid->GetPointData())
-    , Intersections(grid->GetCellData())
+    , Intersections(grid->GetCellData(), slice.IsAtTime)
     , Lists(grid->GetNumberOfPoints(), true)
     , Chunks((grid->GetNumberOfCells() + SliceChunk::Size - 1) / SliceChunk::Size)
     , Slice(slice)
@@ -319,6 +332,8 @@ private:
     std::array<std::uint16_t, Batch::Size> Positions;
   };
 
+  bool IsFlipped(bool isOdd) const { return isOdd != this->Slice.IsMirrored; }
+
   bool IsBlanked(vtkIdType cell, const Stored* ids) const
   {
     return this->Context.IsCellBlanked(cell) ||
@@ -350,7 +365,8 @@ private:
       }
       for (int t = 0; t < what.NumberOfTetrahedra; ++t)
       {
-        AddTetrahedron(what.Tetrahedra[t], indices, batch.IsOdd[s] != 0, position, work.Points);
+        AddTetrahedron(
+          what.Tetrahedra[t], indices, this->IsFlipped(batch.IsOdd[s] != 0), position, work.Points);
       }
     }
     batch.Number = 0;
@@ -360,6 +376,11 @@ private:
   void CountTied(vtkIdType cell, Work& work)
   {
     const Stored* const ids = this->Ids + this->Offsets[cell];
+    if (!this->Slice.IsAtTime && HasRepeatedPoint(ids))
+    {
+      // A tetrahedron at one time. Its slice is flat.
+      return;
+    }
     Code codes[SimplexSize];
     std::transform(ids, ids + SimplexSize, codes, [this](Stored id) { return this->Codes[id]; });
     const Intersection intersection = this->Intersections.Intersect(cell, codes);
@@ -401,7 +422,7 @@ private:
           { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } },
             this->Intersections.GetInterval(cell), intersection });
       }
-      AddTetrahedron(slots, indices, simplex.IsInverted(),
+      AddTetrahedron(slots, indices, this->IsFlipped(simplex.IsInverted()),
         static_cast<std::uint16_t>(cell - work.Begin), work.Points);
     }
   }

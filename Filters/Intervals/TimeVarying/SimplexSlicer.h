@@ -18,8 +18,9 @@ namespace interlume
  * slice is the limit of the slices just below the value, without collapsed tetrahedra. This limit
  * misses a 4-simplex that has four vertices at the value and one above. The tetrahedron of the four
  * vertices is added, unless a 4-simplex of the same interval that ends at the value already
- * contributes it. The cell array AtStep marks 4-simplices that contribute no tetrahedra at a step,
- * and cells that are themselves tetrahedra at a step, which are added as well.
+ * contributes it. In slices at a time, the cell array AtStep marks 4-simplices that contribute no
+ * tetrahedra at a step, and cells that are themselves tetrahedra at a step, which are added as
+ * well.
  *
  * Points are numbered as in UnstructuredExtraction, so the output depends only on the grid.
  */
@@ -28,6 +29,10 @@ class SimplexSlicer
 public:
   struct Slice
   {
+    /// Input: whether the scalars are times, to which AtStep refers.
+    bool IsAtTime = true;
+    /// Input: whether tetrahedra have the opposite orientation in the coordinates of the output.
+    bool IsMirrored = false;
     ExtractionBuffer<ExtractionPoint> Points;
     SimplexList Tetrahedra;
     /// The cell id of each tetrahedron, if the context requests cell ids.
