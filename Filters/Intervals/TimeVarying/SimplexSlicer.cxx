@@ -65,19 +65,6 @@ bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const SlicePoint* poin
   return false;
 }
 
-template <typename Id>
-bool HasRepeatedPoint(const Id* ids)
-{
-  for (int v = 1; v < SimplexSize; ++v)
-  {
-    if (std::find(ids, ids + v, ids[v]) != ids + v)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Adds a tetrahedron of a cell. \a indices holds the index of each slot's point in the chunk.
 template <typename Id>
 void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* indices,
@@ -376,11 +363,6 @@ private:
   void CountTied(vtkIdType cell, Work& work)
   {
     const Stored* const ids = this->Ids + this->Offsets[cell];
-    if (!this->Slice.IsAtTime && HasRepeatedPoint(ids))
-    {
-      // A tetrahedron at one time. Its slice is flat.
-      return;
-    }
     Code codes[SimplexSize];
     std::transform(ids, ids + SimplexSize, codes, [this](Stored id) { return this->Codes[id]; });
     const Intersection intersection = this->Intersections.Intersect(cell, codes);
