@@ -66,6 +66,13 @@ def check_in_time(checks, field):
     volume.GenerateSimplices = True
     checks.that(fetch(volume, 2).GetNumberOfCells() > 0, "the output has 4-simplices")
     checks.equal(fetch(simplex_slice).GetPointData().GetArray("Time").GetRange(), (0.4, 0.4), "slice")
+    simplex_slice.SliceAxis = "Y"
+    simplex_slice.Position = 0.3
+    along_y = fetch(simplex_slice)
+    checks.that(along_y.GetNumberOfCells() > 0, "cells of a slice along y")
+    checks.close(along_y.GetBounds()[3], along_y.GetPointData().GetArray("Time").GetRange()[1], 1e-6,
+                 "time as the coordinate of a slice along y")
+    simplex_slice.SliceAxis = "Time"
     volume.GenerateTetrahedra = False
     checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra if they are off")
     volume.Intervals = []
