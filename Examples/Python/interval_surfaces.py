@@ -6,11 +6,10 @@ python3 interval_surfaces.py IMAGE.png
 
 import numpy as np
 from interlume import vtkIntervalVolume
-from props import COLORS, make_actor, run
+from props import COLORS, make_actor, run, select_triangles
 from stage import INK, Stage
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -20,7 +19,6 @@ image.SetSpacing(0.1, 0.1, 0.1)
 sphere = vtkSphereSource()
 sphere.SetThetaResolution(26)
 sphere.SetPhiResolution(18)
-bounds = [0.0, 0.25, 0.5, 0.75, 1.0]
 stage = Stage()
 for caption, data in (("an image", image), ("a sphere", run(sphere))):
     x, y, z = np.array([data.GetPoint(p) for p in range(data.GetNumberOfPoints())]).T
@@ -29,20 +27,13 @@ for caption, data in (("an image", image), ("a sphere", run(sphere))):
     intervals = vtkIntervalVolume()
     intervals.GenerateBoundariesOn()
     for i in range(4):
-        intervals.SetInterval(i, bounds[i], bounds[i + 1])
-    bands = run(intervals, data)
+        intervals.SetInterval(i, i / 4, (i + 1) / 4)
+    parts = [(select_triangles(run(intervals, data), "IntervalId", i), COLORS[i]) for i in range(4)]
     panel = stage.add_panel(caption)
-    bands.GetCellData().SetActiveScalars("IntervalId")
-    for i in range(4):
-        part = vtkThreshold()
-        part.SetInputArrayToProcess(0, 0, 0, 1, "IntervalId")
-        part.SetLowerThreshold(i)
-        part.SetUpperThreshold(i)
-        actor = make_actor(run(vtkDataSetSurfaceFilter(), run(part, bands)), COLORS[i])
-        actor.GetProperty().EdgeVisibilityOn()
+    for cells, color in (*parts, (intervals.GetOutputDataObject(1), INK)):
+        actor = make_actor(run(vtkDataSetSurfaceFilter(), cells), color)
+        actor.GetProperty().SetEdgeVisibility(color is not INK)
+        actor.GetProperty().SetLineWidth(1 if color is not INK else 5)
         panel.add(actor)
-    lines = make_actor(run(vtkDataSetSurfaceFilter(), intervals.GetOutputDataObject(1)), INK)
-    lines.GetProperty().SetLineWidth(5)
-    panel.add(lines)
 stage.panels[0].look_from((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 stage.save()
