@@ -28,7 +28,8 @@ for caption, data in (("an image", image), ("a sphere", run(sphere))):
     intervals.GenerateBoundariesOn()
     for i in range(4):
         intervals.SetInterval(i, i / 4, (i + 1) / 4)
-    parts = [(select_triangles(run(intervals, data), "IntervalId", i), COLORS[i]) for i in range(4)]
+    bands = run(intervals, data)
+    parts = [(select_triangles(bands, "IntervalId", i), COLORS[i]) for i in range(4)]
     panel = stage.add_panel(caption)
     for cells, color in (*parts, (intervals.GetOutputDataObject(1), INK)):
         actor = make_actor(run(vtkDataSetSurfaceFilter(), cells), color)

@@ -84,10 +84,11 @@ void SetRequestedTime(vtkInformation* request, vtkDataObject* output)
   }
 }
 
-// Returns the normal's coordinate that time replaces, or 3 if it is time itself.
+// Returns the axis whose coordinate time replaces: that of the largest component, and TIME_AXIS if
+// it is as large as the others.
 int FindReplacedAxis(const std::array<double, 4>& normal)
 {
-  int largest = 3;
+  int largest = vtkSimplexTimeSlice::TIME_AXIS;
   for (int axis = 0; axis < 3; ++axis)
   {
     largest = std::abs(normal[axis]) > std::abs(normal[largest]) ? axis : largest;
@@ -328,9 +329,10 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   context.PointGhosts = input->GetPointGhostArray();
   const int replaced = FindReplacedAxis(normal);
   interlume::SimplexSlicer::Slice slice;
-  slice.IsAtTime = this->IsAtTime();
-  slice.IsMirrored = (replaced != 3) != (normal[replaced] < 0.0);
-  if (!interlume::SimplexSlicer::Execute(context, input, slice))
+  // Exchanging time and another coordinate reverses the orientation, and so does a normal that
+  // points backward.
+  const bool isMirrored = (replaced != TIME_AXIS) != (normal[replaced] < 0.0);
+  if (!interlume::SimplexSlicer::Execute(context, input, { this->IsAtTime(), isMirrored }, slice))
   {
     return;
   }
@@ -356,7 +358,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   {
     FillTime(output->GetPointData(), output->GetNumberOfPoints(), position);
   }
-  else if (replaced != 3)
+  else if (replaced != TIME_AXIS)
   {
     output->GetPoints()->GetData()->CopyComponent(
       replaced, output->GetPointData()->GetArray(TimeName), 0);

@@ -41,7 +41,8 @@ struct SimplexTimeSliceReport;
  * - every cell array except `AtStep`, copied from the 4-simplex
  *
  * Space consists of x, y and z for slices at a time. Otherwise, time replaces the coordinate with
- * the largest component of the normal: a slice along x has the coordinates (t,y,z).
+ * the largest component of the normal, if it is larger than that of time: a slice along x has the
+ * coordinates (t,y,z).
  *
  * A tetrahedron has the orientation of its 4-simplex: its volume is positive if det(p1-p0, p2-p0,
  * p3-p0, p4-p0) > 0 in (x,y,z,t).

@@ -261,6 +261,6 @@ void TestWriter(StabilityCatalogue& catalogue)
 
 int TestStabilitySlices(int argc, char* argv[])
 {
-  return RunCases(
-    __func__, "vtkSimplexTimeSlice", argc, argv, { TestScales, TestSimplices, TestWriter });
+  return RunCases(__func__, "vtkSimplexTimeSlice", argc, argv,
+    { TestScales, TestAxes, TestSimplices, TestWriter });
 }

@@ -146,7 +146,7 @@ public:
   static constexpr std::array<double, 4> Progress = { { 0.05, 0.4, 0.5, 0.8 } };
 
   SlicePass(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
-    const Stored* ids, SimplexSlicer::Slice& slice)
+    const Stored* ids, const SimplexSlicer::Options& options, SimplexSlicer::Slice& slice)
     : Frame(context)
     , Grid(grid)
     , Types(GridCells::GetTypes(grid))
@@ -154,9 +154,10 @@ public:
     , Ids(ids)
     , Scalars(context.MakeScalars())
     , Order(grid->GetPointData())
-    , Intersections(grid->GetCellData(), slice.IsAtTime)
+    , Intersections(grid->GetCellData(), options.IsAtTime)
     , Lists(grid->GetNumberOfPoints(), true)
     , Chunks((grid->GetNumberOfCells() + SliceChunk::Size - 1) / SliceChunk::Size)
+    , IsMirrored(options.IsMirrored)
     , Slice(slice)
   {
   }
@@ -319,7 +320,7 @@ private:
     std::array<std::uint16_t, Batch::Size> Positions;
   };
 
-  bool IsFlipped(bool isOdd) const { return isOdd != this->Slice.IsMirrored; }
+  bool IsFlipped(bool isOdd) const { return isOdd != this->IsMirrored; }
 
   bool IsBlanked(vtkIdType cell, const Stored* ids) const
   {
@@ -428,12 +429,13 @@ private:
   CrossingLists Lists;
   const std::array<Case, 32>& Cases = SimplexSliceTable::GetAll();
   std::vector<Chunk> Chunks;
+  const bool IsMirrored;
   SimplexSlicer::Slice& Slice;
 };
 }
 
 bool SimplexSlicer::Execute(
-  const ExtractionContext& context, vtkUnstructuredGrid* grid, Slice& slice)
+  const ExtractionContext& context, vtkUnstructuredGrid* grid, const Options& options, Slice& slice)
 {
   if (grid->GetNumberOfCells() == 0)
   {
@@ -443,7 +445,7 @@ bool SimplexSlicer::Execute(
   return VisitCellArrays(grid,
     [&](const auto* offsets, const auto* ids)
     {
-      SlicePass<std::decay_t<decltype(*ids)>> pass(context, grid, offsets, ids, slice);
+      SlicePass<std::decay_t<decltype(*ids)>> pass(context, grid, offsets, ids, options, slice);
       return pass.Execute(pass.GetNumberOfParts());
     });
 }

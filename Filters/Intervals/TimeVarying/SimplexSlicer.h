@@ -27,12 +27,16 @@ namespace interlume
 class SimplexSlicer
 {
 public:
+  struct Options
+  {
+    /// Whether the scalars are times, to which AtStep refers.
+    bool IsAtTime;
+    /// Whether the coordinates of the output have the opposite orientation.
+    bool IsMirrored;
+  };
+
   struct Slice
   {
-    /// Input: whether the scalars are times, to which AtStep refers.
-    bool IsAtTime = true;
-    /// Input: whether tetrahedra have the opposite orientation in the coordinates of the output.
-    bool IsMirrored = false;
     ExtractionBuffer<ExtractionPoint> Points;
     SimplexList Tetrahedra;
     /// The cell id of each tetrahedron, if the context requests cell ids.
@@ -46,7 +50,8 @@ public:
 
   /// Computes the slice. \a context must have one contour value and \a grid as input. Returns false
   /// if the user aborted.
-  static bool Execute(const ExtractionContext& context, vtkUnstructuredGrid* grid, Slice& slice);
+  static bool Execute(const ExtractionContext& context, vtkUnstructuredGrid* grid,
+    const Options& options, Slice& slice);
 };
 
 }

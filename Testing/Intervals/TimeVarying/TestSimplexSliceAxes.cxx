@@ -145,6 +145,52 @@ void TestFilledBoxes(Check& check)
   }
 }
 
+/// Returns the tetrahedra of a slice along an axis.
+vtkSmartPointer<vtkUnstructuredGrid> SliceAlong(
+  vtkUnstructuredGrid* simplices, int axis, double position)
+{
+  vtkNew<vtkSimplexTimeSlice> slice;
+  slice->SetInputData(simplices);
+  slice->SetSliceAxis(axis);
+  slice->SetPosition(position);
+  slice->WarnOnEmptyOutputOff();
+  slice->Update();
+  return slice->GetOutput();
+}
+
+/// Returns the image of a plane of grid points perpendicular to an axis at all time steps, which
+/// are 1 apart. Time replaces the axis.
+vtkSmartPointer<vtkImageData> StackPlane(const TimeSteps& steps, int axis, int plane)
+{
+  vtkImageData* first = vtkImageData::SafeDownCast(steps[0].Data);
+  int points[3];
+  double spacing[3];
+  first->GetDimensions(points);
+  first->GetSpacing(spacing);
+  points[axis] = static_cast<int>(steps.size());
+  spacing[axis] = 1.0;
+  auto stacked = vtkSmartPointer<vtkImageData>::New();
+  stacked->SetDimensions(points);
+  stacked->SetSpacing(spacing);
+  vtkNew<vtkDoubleArray> values;
+  for (int k = 0; k < points[2]; ++k)
+  {
+    for (int j = 0; j < points[1]; ++j)
+    {
+      for (int i = 0; i < points[0]; ++i)
+      {
+        int at[3] = { i, j, k };
+        vtkDataSet* step = GetDataSet(steps[at[axis]]);
+        at[axis] = plane;
+        values->InsertNextValue(
+          step->GetPointData()->GetScalars()->GetComponent(first->ComputePointId(at), 0));
+      }
+    }
+  }
+  stacked->GetPointData()->SetScalars(values);
+  return stacked;
+}
+
 /// Interval volumes over time are sliced at planes of grid points. The result is the interval
 /// volume of the image that consists of this plane at all time steps. If the field is not linear,
 /// faces are not planar, and their triangles depend on the dimension.
@@ -174,45 +220,15 @@ void TestStackedSteps(const std::string& field, double tolerance, Check& check)
     {
       check.SetContext(
         field + ", axis " + std::to_string(axis) + ", plane " + std::to_string(plane));
-      vtkNew<vtkImageData> stacked;
-      int points[3] = { cells + 1, cells + 1, cells + 1 };
-      points[axis] = static_cast<int>(times.size());
-      double spacing[3];
-      for (int i = 0; i < 3; ++i)
-      {
-        spacing[i] = i == axis ? 1.0 : (bounds[2 * i + 1] - bounds[2 * i]) / cells;
-      }
-      stacked->SetDimensions(points);
-      stacked->SetSpacing(spacing);
-      vtkNew<vtkDoubleArray> values;
-      for (int k = 0; k < points[2]; ++k)
-      {
-        for (int j = 0; j < points[1]; ++j)
-        {
-          for (int i = 0; i < points[0]; ++i)
-          {
-            int at[3] = { i, j, k };
-            const TimeStep& step = steps[at[axis]];
-            at[axis] = plane;
-            vtkImageData* image = vtkImageData::SafeDownCast(step.Data);
-            values->InsertNextValue(
-              image->GetPointData()->GetScalars()->GetComponent(image->ComputePointId(at), 0));
-          }
-        }
-      }
-      stacked->GetPointData()->SetScalars(values);
       vtkNew<vtkIntervalVolume> interval;
-      interval->SetInputData(stacked);
+      interval->SetInputData(StackPlane(steps, axis, plane));
       interval->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       interval->SetInterval(0, settings.Intervals[0][0], settings.Intervals[0][1]);
       interval->Update();
-      vtkNew<vtkSimplexTimeSlice> slice;
-      slice->SetInputData(extraction.Simplices);
-      slice->SetSliceAxis(axis);
-      slice->SetPosition(
-        bounds[2 * axis] + plane * (bounds[2 * axis + 1] - bounds[2 * axis]) / cells);
-      slice->Update();
-      const TetrahedraVolume volume = MeasureTetrahedra(slice->GetOutput());
+      const double position =
+        bounds[2 * axis] + plane * (bounds[2 * axis + 1] - bounds[2 * axis]) / cells;
+      const TetrahedraVolume volume =
+        MeasureTetrahedra(SliceAlong(extraction.Simplices, axis, position));
       const TetrahedraVolume expected =
         MeasureTetrahedra(vtkUnstructuredGrid::SafeDownCast(interval->GetOutputDataObject(0)));
       check.That(expected.Sum > 0.01L, "there is an interval volume");
@@ -221,19 +237,6 @@ void TestStackedSteps(const std::string& field, double tolerance, Check& check)
       check.That(volume.Inverted == 0 || field != "linear", "no inverted tetrahedra");
     }
   }
-}
-
-/// Returns the tetrahedra of a slice along an axis.
-vtkSmartPointer<vtkUnstructuredGrid> SliceAlong(
-  vtkUnstructuredGrid* simplices, int axis, double position)
-{
-  vtkNew<vtkSimplexTimeSlice> slice;
-  slice->SetInputData(simplices);
-  slice->SetSliceAxis(axis);
-  slice->SetPosition(position);
-  slice->WarnOnEmptyOutputOff();
-  slice->Update();
-  return slice->GetOutput();
 }
 
 /// Many values equal a bound, so that some cells are tetrahedra at a time step. They are no part of
