@@ -135,7 +135,10 @@ int vtkIntervalVolume::RequestData(
     { this->ExtractFrom(input, run, grids[0], grids[1]); });
   this->EndMemory(run.GetReport());
   run.Finish(
-    { this->GetIntervals(), interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()),
+    { this->GetIntervals(),
+      interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) +
+        (this->CriteriaOperation == UNION && !this->Criteria.empty() ? " or satisfies a criterion"
+                                                                     : ""),
       this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
     this->GetReportBalance(), this->GetWarnOnEmptyOutput(), this->Report);
   return 1;
@@ -193,32 +196,91 @@ bool vtkIntervalVolume::ExtractCells(int dimension, bool isMixed, vtkDataSet* in
   vtkDataArray* scalars, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
   vtkUnstructuredGrid* boundary)
 {
-  const int passes = 1 + this->GetNumberOfCriteria();
-  const double begin = this->GetProgressShift();
-  const double scale = this->GetProgressScale() / passes;
-  this->SetProgressShiftScale(begin, scale);
+  const int criteria = this->GetNumberOfCriteria();
+  const bool isUnion = criteria > 0 && this->CriteriaOperation == UNION;
+  const bool isDifference = criteria > 0 && this->CriteriaOperation == DIFFERENCE;
+  const int passes = isUnion ? 2 * criteria + 1 : criteria + 1;
+  this->SetProgressShiftScale(this->GetProgressShift(), this->GetProgressScale() / passes);
   this->SetProgressText("Extracting the intervals");
   interlume::InteriorCellPass interiorPass;
   interlume::InteriorCellPass* const whole =
-    this->KeepInteriorCells && dimension == 3 ? &interiorPass : nullptr;
+    this->KeepInteriorCells && dimension == 3 && !isDifference ? &interiorPass : nullptr;
   bool completed =
     this->ExtractIntervals(dimension, isMixed, input, scalars, run, whole, output, boundary);
   // In a mixed dataset, the first of two extractions has added the input already.
   const bool isAdded = isMixed && dimension == 2;
   run.GetEmptyOutputDiagnosis().Add(
     isAdded ? nullptr : input, isAdded ? nullptr : scalars, output->GetNumberOfCells());
-  for (int pass = 1; completed && pass < passes; ++pass)
+  if (isUnion)
   {
-    this->SetProgressText(
-      ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
-    this->SetProgressShiftScale(begin + pass * scale, scale);
-    completed = this->ApplyCriterion(dimension, pass - 1, run, whole, output, boundary);
+    completed = completed && this->AppendCriteria(dimension, input, scalars, run, output, boundary);
+  }
+  for (int number = 0; completed && !isUnion && number < criteria; ++number)
+  {
+    const vtkIdType before = output->GetNumberOfCells();
+    vtkSmartPointer<vtkDataArray> array =
+      output->GetPointData()->GetArray(this->Criteria[number].ArrayName.c_str());
+    completed = this->ApplyCriterion(dimension, number, isDifference, run, whole, output, boundary);
+    run.GetEmptyOutputDiagnosis().AddCriterion(
+      number, this->DescribeCriterion(number), array, before, output->GetNumberOfCells());
   }
   if (completed)
   {
     run.GetReport().Passes = passes;
   }
   return completed;
+}
+
+bool vtkIntervalVolume::AppendCriteria(int dimension, vtkDataSet* input, vtkDataArray* scalars,
+  interlume::ExtractionRun& run, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
+{
+  std::vector<interlume::ExtractionInput::Range> ranges;
+  for (const Criterion& criterion : this->Criteria)
+  {
+    ranges.push_back({ input->GetPointData()->GetArray(criterion.ArrayName.c_str()),
+      criterion.Lower, criterion.Upper });
+  }
+  const vtkSmartPointer<vtkDataSet> overlapping =
+    interlume::ExtractionInput::HideCellsOutside(input, ranges);
+  const interlume::ExtractionValues values =
+    interlume::ExtractionValues::ForComplement(this->GetIntervals());
+  interlume::ExtractionReport report;
+  interlume::Extraction extraction;
+  extraction.Owner = this;
+  extraction.Values = &values;
+  extraction.Warning = &run.GetSizeWarning();
+  extraction.IdName = "IntervalId";
+  extraction.Dimension = dimension;
+  extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
+  vtkNew<vtkUnstructuredGrid> rest;
+  this->StartPass("Extracting the cells that satisfy a criterion");
+  bool completed = extraction.Execute(overlapping, scalars, rest, nullptr, report);
+  const int criteria = this->GetNumberOfCriteria();
+  for (int number = 0; completed && number < criteria; ++number)
+  {
+    rest->GetCellData()->GetArray("IntervalId")->Fill(-1);
+    vtkNew<vtkUnstructuredGrid> part;
+    vtkNew<vtkUnstructuredGrid> partBoundary;
+    part->ShallowCopy(rest);
+    completed = this->ApplyCriterion(dimension, number, false, run, nullptr, part, partBoundary);
+    if (completed)
+    {
+      run.GetEmptyOutputDiagnosis().Add(nullptr, nullptr, part->GetNumberOfCells());
+      interlume::SurfaceCells::Append(part, partBoundary, output, boundary);
+    }
+    if (completed && number + 1 < criteria)
+    {
+      completed = this->ApplyCriterion(dimension, number, true, run, nullptr, rest, nullptr);
+    }
+  }
+  return completed;
+}
+
+void vtkIntervalVolume::StartPass(const std::string& text)
+{
+  this->SetProgressText(text.c_str());
+  const double scale = this->GetProgressScale();
+  this->SetProgressShiftScale(this->GetProgressShift() + scale, scale);
 }
 
 void vtkIntervalVolume::BeginMemory()
@@ -251,7 +313,7 @@ bool vtkIntervalVolume::ExtractIntervals(int dimension, bool isMixed, vtkDataSet
 {
   for (const Criterion& criterion : this->Criteria)
   {
-    if (whole)
+    if (whole && this->CriteriaOperation == INTERSECTION)
     {
       whole->ExcludePointsOutside(input->GetPointData()->GetArray(criterion.ArrayName.c_str()),
         criterion.Lower, criterion.Upper);
@@ -278,18 +340,35 @@ bool vtkIntervalVolume::ExtractIntervals(int dimension, bool isMixed, vtkDataSet
   return completed;
 }
 
-bool vtkIntervalVolume::ApplyCriterion(int dimension, int number, interlume::ExtractionRun& run,
-  interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
+std::string vtkIntervalVolume::DescribeCriterion(int number) const
 {
   const Criterion& criterion = this->Criteria[number];
+  std::ostringstream description;
+  description << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower
+              << " to " << criterion.Upper;
+  return description.str();
+}
+
+bool vtkIntervalVolume::ApplyCriterion(int dimension, int number, bool isInverted,
+  interlume::ExtractionRun& run, interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid,
+  vtkUnstructuredGrid* boundary)
+{
+  const Criterion& criterion = this->Criteria[number];
+  this->StartPass("Cutting at the criterion on " + criterion.ArrayName);
   vtkNew<vtkUnstructuredGrid> before;
   vtkNew<vtkUnstructuredGrid> boundaryBefore;
   before->ShallowCopy(grid);
-  boundaryBefore->ShallowCopy(boundary);
   grid->Initialize();
-  boundary->Initialize();
-  const interlume::ExtractionValues values =
-    interlume::ExtractionValues::ForIntervals({ { { criterion.Lower, criterion.Upper } } });
+  if (boundary)
+  {
+    boundaryBefore->ShallowCopy(boundary);
+    boundary->Initialize();
+  }
+  const std::vector<std::array<double, 2>> range = { { { criterion.Lower, criterion.Upper } } };
+  const interlume::ExtractionValues values = isInverted
+    ? interlume::ExtractionValues::ForComplement(range)
+    : interlume::ExtractionValues::ForIntervals(range);
+  const int lowerSide = 2 * number + 2;
   interlume::ExtractionReport report;
   interlume::Extraction extraction;
   extraction.Owner = this;
@@ -297,14 +376,12 @@ bool vtkIntervalVolume::ApplyCriterion(int dimension, int number, interlume::Ext
   extraction.Dimension = dimension;
   extraction.KeepOrientation = true;
   extraction.InteriorPass = whole;
-  extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
+  extraction.GenerateBoundaries = this->GenerateBoundaries && boundary;
+  extraction.InputBoundary = extraction.GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
+  // The lower bound of a criterion is the upper end of a region outside of it.
+  extraction.Sides = { { lowerSide + isInverted, lowerSide + !isInverted } };
   vtkDataArray* array = before->GetPointData()->GetArray(criterion.ArrayName.c_str());
   const bool completed = extraction.Execute(before, array, grid, boundary, report);
-  std::ostringstream description;
-  description << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower
-              << " to " << criterion.Upper;
-  run.GetEmptyOutputDiagnosis().AddCriterion(
-    number, description.str(), array, before->GetNumberOfCells(), grid->GetNumberOfCells());
   interlume::ExtractionReport& sum = run.GetReport();
   sum.CollapsedSimplices += report.CollapsedSimplices;
   sum.WorkingBytes = std::max(sum.WorkingBytes,
@@ -321,6 +398,7 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
     os << indent.GetNextIndent() << criterion.ArrayName << ": " << criterion.Lower << " to "
        << criterion.Upper << "\n";
   }
+  os << indent << "CriteriaOperation: " << this->CriteriaOperation << "\n";
   os << indent << "GenerateBoundaries: " << this->GenerateBoundaries << "\n";
   os << indent << "KeepInteriorCells: " << this->KeepInteriorCells << "\n";
   os << indent << "GenerateOriginArrays: " << this->GenerateOriginArrays << "\n";

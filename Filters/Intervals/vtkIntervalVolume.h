@@ -101,13 +101,14 @@ public:
 
   ///@{
   /**
-   * Add criteria: cut the result to lower <= array <= upper as well, where array is another point
-   * array, or a cell array if no point array has this name. Each criterion adds a pass over the
-   * tetrahedra. The orientation of tetrahedra is preserved, so signed volumes still add up if some
-   * are inverted. The array must have one component. Default: none. AddCriterionAsText parses the
-   * bounds from text. If a bound is not a number, the range contains NaN and the next execution
-   * reports the text as an error. For an invalid index, GetCriterionArrayName returns null and
-   * GetCriterionRange leaves its arguments unchanged.
+   * Add criteria: combine the intervals with the region lower <= array <= upper, see
+   * CriteriaOperation, where array is another point array, or a cell array if no point array has
+   * this name. Each criterion adds a pass over the tetrahedra. The orientation of tetrahedra is
+   * preserved, so signed volumes still add up if some are inverted. Cells where the array is NaN or
+   * infinite are skipped. The array must have one component. Default: none. AddCriterionAsText
+   * parses the bounds from text. If a bound is not a number, the range contains NaN and the next
+   * execution reports the text as an error. For an invalid index, GetCriterionArrayName returns
+   * null and GetCriterionRange leaves its arguments unchanged.
    */
   void AddCriterion(const char* arrayName, double lower, double upper);
   void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);
@@ -119,8 +120,32 @@ public:
 
   ///@{
   /**
-   * If true, generate the boundary triangles on port 1. With criteria, there are no triangles where
-   * the array of a criterion equals its bound. Default off.
+   * How criteria change the result:
+   * - INTERSECTION: the part of the intervals that satisfies all criteria
+   * - UNION: the intervals, and the region outside of them that satisfies any criterion. This
+   *   region has the `IntervalId` -1 and the tetrahedra at the end of the output. Its points on the
+   *   boundary of an interval coincide with those of the interval, but are separate points. Cells
+   *   are skipped where the scalar is NaN or infinite.
+   * - DIFFERENCE: the part of the intervals that satisfies no criterion
+   *
+   * Default INTERSECTION.
+   */
+  enum CriteriaOperations
+  {
+    INTERSECTION,
+    UNION,
+    DIFFERENCE
+  };
+  vtkSetClampMacro(CriteriaOperation, int, INTERSECTION, DIFFERENCE);
+  vtkGetMacro(CriteriaOperation, int);
+  ///@}
+
+  ///@{
+  /**
+   * If true, generate the boundary triangles on port 1. With criteria, this includes the triangles
+   * where the array of a criterion equals its bound. Their `BoundarySide` is 2 i + 2 at the lower
+   * and 2 i + 3 at the upper bound of criterion i, counted from 0. With UNION, these are the
+   * triangles outside of the intervals and of earlier criteria. Default off.
    */
   vtkSetMacro(GenerateBoundaries, bool);
   vtkGetMacro(GenerateBoundaries, bool);
@@ -130,7 +155,8 @@ public:
   ///@{
   /**
    * If true, copy three-dimensional cells that lie inside an interval and satisfy all criteria, and
-   * cut only the other cells. Default off.
+   * cut only the other cells. With UNION, cells inside an interval are copied, and with DIFFERENCE
+   * and criteria, all cells are cut. Default off.
    */
   vtkSetMacro(KeepInteriorCells, bool);
   vtkGetMacro(KeepInteriorCells, bool);
@@ -237,7 +263,7 @@ private:
   /// Extracts the intervals from one dataset.
   void ExtractFrom(vtkDataSet* input, interlume::ExtractionRun& run, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);
-  /// Extracts the intervals, restricted by the criteria, from the cells of one dimension. \a
+  /// Extracts the intervals, combined with the criteria, from the cells of one dimension. \a
   /// isMixed is true if cells of the other dimension are extracted too. Returns false if the user
   /// aborted.
   bool ExtractCells(int dimension, bool isMixed, vtkDataSet* input, vtkDataArray* scalars,
@@ -247,9 +273,18 @@ private:
   bool ExtractIntervals(int dimension, bool isMixed, vtkDataSet* input, vtkDataArray* scalars,
     interlume::ExtractionRun& run, interlume::InteriorCellPass* whole, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary);
-  /// Cuts the previous result by one criterion. Returns false if the user aborted.
-  bool ApplyCriterion(int dimension, int number, interlume::ExtractionRun& run,
+  /// Extracts the region outside of the intervals that satisfies any criterion, and appends it to
+  /// the outputs. Returns false if the user aborted.
+  bool AppendCriteria(int dimension, vtkDataSet* input, vtkDataArray* scalars,
+    interlume::ExtractionRun& run, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
+  /// Cuts the previous result by one criterion. Keeps the part that does not satisfy it if \a
+  /// isInverted is true. Returns false if the user aborted.
+  bool ApplyCriterion(int dimension, int number, bool isInverted, interlume::ExtractionRun& run,
     interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
+  /// Returns a description of a criterion for messages.
+  std::string DescribeCriterion(int number) const;
+  /// Starts the next of the passes, which share the progress range.
+  void StartPass(const std::string& text);
 
   ///@{
   /// Start and end the use of the block pool in an execution.
@@ -258,6 +293,7 @@ private:
   ///@}
 
   std::vector<Criterion> Criteria;
+  int CriteriaOperation = INTERSECTION;
   bool GenerateBoundaries = false;
   bool KeepInteriorCells = false;
   bool GenerateOriginArrays = false;

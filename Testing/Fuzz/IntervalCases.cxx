@@ -36,6 +36,7 @@ struct Choice
   bool HasBoundaries = false;
   bool HasOrigins = false;
   bool HasCriterion = false;
+  int Operation = vtkIntervalVolume::INTERSECTION;
   int Precision = vtkAlgorithm::DOUBLE_PRECISION;
 };
 
@@ -58,6 +59,7 @@ vtkSmartPointer<vtkIntervalVolume> MakeFilter(const Choice& choice)
   if (choice.HasCriterion)
   {
     filter->AddCriterion("f", 0.2, 0.7);
+    filter->SetCriteriaOperation(choice.Operation);
   }
   SetIntervals(filter, choice.Intervals);
   return filter;
@@ -201,6 +203,7 @@ void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check
   choice.HasBoundaries = random.Chance(0.5);
   choice.HasOrigins = random.Chance(0.3);
   choice.HasCriterion = random.Chance(0.2);
+  choice.Operation = choice.HasCriterion ? random.Integer(0, 2) : choice.Operation;
   choice.Precision = random.Integer(0, 2);
   const bool isComposite = random.Chance(0.15);
   choice.Input = isComposite ? MakeBlocks(random, data.Data) : data.Data.Get();

@@ -107,6 +107,17 @@ def check_messages(checks, source):
     checks.equal(len(errors), 1, "errors if a bound is not a number")
 
 
+def check_criteria(checks, source):
+    """Tests how criteria change the result."""
+    volume = interval_volume(source, "Temp", [(400, 500)], [("AsH3", 0.1, 0.2)])
+    ids = {}
+    for operation in ("Intersection", "Union", "Difference"):
+        volume.CriteriaOperation = operation
+        ids[operation] = fetch(volume).GetCellData().GetArray("IntervalId").GetRange()
+    checks.equal(ids, {"Intersection": (0, 0), "Union": (-1, 0), "Difference": (0, 0)}, "interval ids")
+    simple.Delete(volume)
+
+
 def check_animation(checks, source):
     """Tests that bounds and values can be animated."""
     volume = interval_volume(source, "Temp", [(400, 500)])
@@ -158,6 +169,7 @@ def main(checks):
     check_new_array(checks, source)
     check_display(checks, source)
     check_messages(checks, source)
+    check_criteria(checks, source)
     check_animation(checks, source)
     check_state(checks, source)
 

@@ -105,6 +105,7 @@ void TestIntervalErrors(StabilityCatalogue& catalogue)
   auto set = [](vtkIntervalVolume* filter)
   {
     filter->RemoveAllCriteria();
+    filter->SetCriteriaOperation(vtkIntervalVolume::INTERSECTION);
     filter->SetInterval(0, 0.25, 0.75);
     filter->GenerateBoundariesOn();
   };
@@ -135,6 +136,20 @@ void TestIntervalErrors(StabilityCatalogue& catalogue)
   addCriterion("criterion-range", "a criterion from 0.875 to 0.125", "pressure", 0.875, 0.125,
     { "pressure", "0.875", "0.125" });
   addCriterion("criterion-nan", "a criterion to NaN", "pressure", 0, NaN, { "pressure", "nan" });
+  for (const int operation : { vtkIntervalVolume::UNION, vtkIntervalVolume::DIFFERENCE })
+  {
+    const bool isUnion = operation == vtkIntervalVolume::UNION;
+    cases.push_back({ isUnion ? "union-missing" : "difference-missing",
+      isUnion ? "a union with an array that does not exist"
+              : "a difference with an array that does not exist",
+      { "nosuch" },
+      [=](vtkIntervalVolume* filter)
+      {
+        filter->SetCriteriaOperation(operation);
+        filter->AddCriterion("nosuch", 0, 1);
+      },
+      set });
+  }
   TestErrors(catalogue, cases);
 }
 

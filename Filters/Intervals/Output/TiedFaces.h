@@ -71,14 +71,15 @@ public:
       Corners;
   }
 
-  /// Counts an outward-oriented face of a simplex if it has the points of a boundary cell.
-  void Count(vtkIdType group, const vtkIdType* face, vtkIdType simplex)
+  /// Counts a face of a simplex if it has the points of a boundary cell. The face is oriented
+  /// outward, or has the orientation of the boundary cell if \a isOriented is false.
+  void Count(vtkIdType group, const vtkIdType* face, vtkIdType simplex, bool isOriented = true)
   {
     const Entry target = MakeEntry(group, face, 0);
     for (auto at = std::lower_bound(this->Entries.begin(), this->Entries.end(), target);
          at != this->Entries.end() && at->Key == target.Key; ++at)
     {
-      this->Uses[at - this->Entries.begin()].Add(at->IsOdd == target.IsOdd, simplex);
+      this->Uses[at - this->Entries.begin()].Add(!isOriented || at->IsOdd == target.IsOdd, simplex);
     }
   }
 

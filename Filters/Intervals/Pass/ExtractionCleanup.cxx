@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace interlume
@@ -43,6 +44,21 @@ Triple MakeKey(Triple face, int corners)
   OppositePairs::Sort(face.data(), corners);
   face[2] = corners == 3 ? face[2] : face[1];
   return face;
+}
+
+template <typename Visitor>
+void ForEachTriple(const vtkIdType* ids, int number, Visitor&& visit)
+{
+  for (int a = 0; a < number; ++a)
+  {
+    for (int b = 0; b < a; ++b)
+    {
+      for (int c = 0; c < b; ++c)
+      {
+        visit(Triple{ { ids[a], ids[b], ids[c] } });
+      }
+    }
+  }
 }
 
 // Removes the simplices with the given indices, which must be in increasing order.
@@ -160,6 +176,57 @@ void AddTriangle(ExtractionMesh& mesh, const Triple& points, int item, int side)
   mesh.Triangles.push_back(points);
   mesh.TriangleItemIds->InsertNextValue(item);
   mesh.TriangleSides->InsertNextValue(side);
+}
+
+// Copies the boundary triangles of interior cells, which remain unchanged.
+void CopyInteriorBoundary(vtkDataSet* input, vtkUnstructuredGrid* inputBoundary,
+  const InteriorCellPass& whole, ExtractionMesh& mesh)
+{
+  std::vector<vtkIdType> newIds(input->GetNumberOfPoints(), -1);
+  for (std::size_t p = 0; p < mesh.Points.GetSize(); ++p)
+  {
+    if (mesh.Points[p].Near == mesh.Points[p].Far)
+    {
+      newIds[mesh.Points[p].Near] = static_cast<vtkIdType>(p);
+    }
+  }
+  vtkDataArray* itemIds = inputBoundary->GetCellData()->GetArray("IntervalId");
+  vtkDataArray* sides = inputBoundary->GetCellData()->GetArray("BoundarySide");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
+  {
+    const vtkIdType cell = whole.TriangleInteriorCells[t];
+    if (cell >= 0)
+    {
+      inputBoundary->GetCellPoints(t, ids);
+      AddTriangle(mesh, { { newIds[ids->GetId(0)], newIds[ids->GetId(1)], newIds[ids->GetId(2)] } },
+        static_cast<int>(itemIds->GetComponent(t, 0)), static_cast<int>(sides->GetComponent(t, 0)));
+      mesh.TriangleCellIds.push_back(cell);
+      mesh.TriangleInteriorCells.push_back(cell - whole.First + mesh.Simplices.GetNumber());
+    }
+  }
+}
+
+// Removes those of the first \a number boundary triangles that coincide with another one of the
+// same interval. \a corners is the number of their points.
+void RemoveCoincident(ExtractionMesh& mesh, std::size_t number, int corners)
+{
+  const auto getKey = [&](std::size_t t)
+  {
+    return std::make_pair(mesh.TriangleItemIds->GetValue(static_cast<vtkIdType>(t)),
+      MakeKey(mesh.Triangles[t], corners));
+  };
+  std::set<std::pair<int, Triple>> keys;
+  for (std::size_t t = number; t < mesh.Triangles.size(); ++t)
+  {
+    keys.insert(getKey(t));
+  }
+  std::vector<bool> isRemoved(mesh.Triangles.size(), false);
+  for (std::size_t t = 0; t < number; ++t)
+  {
+    isRemoved[t] = keys.count(getKey(t)) > 0;
+  }
+  RemoveTriangles(mesh, isRemoved);
 }
 }
 
@@ -308,16 +375,27 @@ void ExtractionCleanup::ResolveTied(const ExtractionContext& context, Extraction
   if (context.InteriorFilter && !faces.IsEmpty())
   {
     const InteriorFaces whole(context, mesh);
+    const bool isFurther =
+      context.InteriorFilter->GetFirstPassedCell() < context.Input->GetNumberOfCells();
     mesh.Simplices.ForEachInteriorCell(
       [&](vtkIdType cell, const vtkIdType* ids, int number)
       {
         const vtkIdType index = simplices + cell;
-        if (faces.IsNear(ids, number))
+        const vtkIdType item = mesh.ItemIds->GetValue(index);
+        if (!faces.IsNear(ids, number))
         {
-          whole.Visit(cell, ids, number,
-            [&](const Triple& triangle, const InteriorFaces::Polygon&)
-            { faces.Count(mesh.ItemIds->GetValue(index), triangle.data(), index); });
+          return;
         }
+        if (isFurther)
+        {
+          // The first pass triangulated the face, so any three of its points may be a triangle.
+          ForEachTriple(ids, number,
+            [&](const Triple& triple) { faces.Count(item, triple.data(), index, false); });
+          return;
+        }
+        whole.Visit(cell, ids, number,
+          [&](const Triple& triangle, const InteriorFaces::Polygon&)
+          { faces.Count(item, triangle.data(), index); });
       });
     mesh.TriangleInteriorCells.assign(mesh.Triangles.size(), -1);
   }
@@ -352,6 +430,7 @@ void ExtractionCleanup::CutBoundary(const ExtractionContext& context,
   vtkDataArray* itemOfCell = input->GetCellData()->GetArray("IntervalId");
   vtkNew<vtkIdList> ids;
   std::map<std::pair<int, Triple>, int> sideOf;
+  const std::size_t number = mesh.Triangles.size();
   const auto getInteriorCell = [whole](vtkIdType t)
   { return whole && !whole->TriangleInteriorCells.empty() ? whole->TriangleInteriorCells[t] : -1; };
   for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
@@ -402,31 +481,18 @@ void ExtractionCleanup::CutBoundary(const ExtractionContext& context,
       }
     }
   }
-  if (!whole || whole->TriangleInteriorCells.empty())
+  const bool hasInterior = whole && !whole->TriangleInteriorCells.empty();
+  if (hasInterior || !mesh.TriangleInteriorCells.empty())
   {
-    return;
+    mesh.TriangleInteriorCells.resize(mesh.Triangles.size(), -1);
   }
-  // Copy the triangles of interior cells, which remain unchanged.
-  std::vector<vtkIdType> newIds(input->GetNumberOfPoints(), -1);
-  for (std::size_t p = 0; p < mesh.Points.GetSize(); ++p)
+  if (hasInterior)
   {
-    if (mesh.Points[p].Near == mesh.Points[p].Far)
-    {
-      newIds[mesh.Points[p].Near] = static_cast<vtkIdType>(p);
-    }
+    CopyInteriorBoundary(input, inputBoundary, *whole, mesh);
   }
-  mesh.TriangleInteriorCells.assign(mesh.Triangles.size(), -1);
-  for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
+  if (number > 0 && !mesh.TiedTriangles.empty())
   {
-    if (getInteriorCell(t) >= 0)
-    {
-      inputBoundary->GetCellPoints(t, ids);
-      AddTriangle(mesh, { { newIds[ids->GetId(0)], newIds[ids->GetId(1)], newIds[ids->GetId(2)] } },
-        static_cast<int>(itemIds->GetComponent(t, 0)), static_cast<int>(sides->GetComponent(t, 0)));
-      mesh.TriangleCellIds.push_back(getInteriorCell(t));
-      mesh.TriangleInteriorCells.push_back(
-        getInteriorCell(t) - whole->First + mesh.Simplices.GetNumber());
-    }
+    RemoveCoincident(mesh, number, corners);
   }
 }
 

@@ -54,10 +54,11 @@ public:
   static void ResolveTiedTriangles(const ExtractionContext& context, ExtractionMesh& mesh);
 
   /**
-   * Sets the boundary triangles of \a mesh, whose tetrahedra were cut from those of the input: the
-   * faces of tetrahedra that lie in a triangle of \a inputBoundary. For a mesh of triangles, sets
+   * Adds boundary triangles to \a mesh, whose tetrahedra were cut from those of the input: the
+   * faces of tetrahedra that lie in a triangle of \a inputBoundary. For a mesh of triangles, adds
    * the boundary lines in the same way. Triangles of interior cells, which \a whole identifies, are
-   * copied. \a whole is null if there are no interior cells.
+   * copied. \a whole is null if there are no interior cells. If values equal a bound, removes the
+   * earlier triangles of the mesh that coincide with added ones.
    */
   static void CutBoundary(const ExtractionContext& context, vtkUnstructuredGrid* inputBoundary,
     const InteriorCellPass* whole, ExtractionMesh& mesh);

@@ -62,6 +62,37 @@ ExtractionValues ExtractionValues::ForIntervals(const std::vector<std::array<dou
   return result;
 }
 
+ExtractionValues ExtractionValues::ForComplement(std::vector<std::array<double, 2>> intervals)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  std::sort(intervals.begin(), intervals.end());
+  std::vector<std::array<double, 2>> gaps;
+  double begin = -largest;
+  for (const auto& interval : intervals)
+  {
+    if (interval[0] > begin)
+    {
+      gaps.push_back({ { begin, interval[0] } });
+    }
+    begin = std::max(begin, interval[1]);
+  }
+  if (begin < largest)
+  {
+    gaps.push_back({ { begin, largest } });
+  }
+  ExtractionValues result = ExtractionValues::ForIntervals(gaps);
+  // The ends of a gap belong to the intervals.
+  for (Item& item : result.Items)
+  {
+    const bool isFirst = result.Values[item.Lower] == -largest;
+    const bool isLast = result.Values[item.Upper] == largest;
+    item.First = static_cast<Code>(2 * item.Lower + (isFirst ? 1 : 2));
+    item.Second = static_cast<Code>(2 * item.Upper + (isLast ? 2 : 1));
+  }
+  result.FindPoints();
+  return result;
+}
+
 void ExtractionValues::FindPoints()
 {
   const std::size_t codes = 2 * this->Values.size() + 2;

@@ -64,6 +64,8 @@ public:
   /// Creates the values for interval volumes, with one item per interval. Each interval must have
   /// lower <= upper.
   static ExtractionValues ForIntervals(const std::vector<std::array<double, 2>>& intervals);
+  /// Creates the values for the regions outside all of these closed intervals, in ascending order.
+  static ExtractionValues ForComplement(std::vector<std::array<double, 2>> intervals);
 
   vtkIsotable::Kinds GetKind() const { return this->Kind; }
   const std::vector<double>& GetValues() const { return this->Values; }

@@ -232,6 +232,10 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     return false;
   }
+  if (this->InputBoundary)
+  {
+    this->SetIntervals(input, mesh);
+  }
   report.Cells = isSurface && this->IsMixed ? 0 : input->GetNumberOfCells();
   report.FoldedCells += ExtractionInput::CountFoldedRectilinearCells(input);
   if (!mesh.TiedSimplices.empty())
@@ -288,6 +292,23 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   report.ArraysCopied =
     output->GetCellData()->GetNumberOfArrays() - (this->IdName ? 1 : 0) - origins;
   return true;
+}
+
+void Extraction::SetIntervals(vtkDataSet* input, ExtractionMesh& mesh) const
+{
+  vtkDataArray* const intervals = input->GetCellData()->GetArray("IntervalId");
+  const auto getInterval = [intervals](vtkIdType cell)
+  { return static_cast<int>(intervals->GetComponent(cell, 0)); };
+  for (vtkIdType cell = 0; cell < mesh.ItemIds->GetNumberOfValues(); ++cell)
+  {
+    mesh.ItemIds->SetValue(cell, getInterval(mesh.CellIds[cell]));
+  }
+  mesh.HasSeveralItems = true;
+  for (vtkIdType t = 0; t < mesh.TriangleSides->GetNumberOfValues(); ++t)
+  {
+    mesh.TriangleItemIds->SetValue(t, getInterval(mesh.TriangleCellIds[t]));
+    mesh.TriangleSides->SetValue(t, this->Sides[mesh.TriangleSides->GetValue(t)]);
+  }
 }
 
 void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& mesh,

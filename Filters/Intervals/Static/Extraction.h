@@ -5,6 +5,8 @@
 #include "Pass/ExtractionContext.h"
 #include "Pass/ExtractionIndex.h"
 
+#include <array>
+
 class vtkUnstructuredGrid;
 
 namespace interlume
@@ -37,6 +39,9 @@ public:
   /// the cells of the input and the skipped cells of fewer dimensions.
   bool IsMixed = false;
   bool GenerateBoundaries = false;
+  /// In a pass that applies a criterion, the BoundarySide of the triangles at the lower and upper
+  /// ends of items.
+  std::array<int, 2> Sides = { { 0, 1 } };
   /// If true, contour triangles share points.
   bool SharePoints = true;
   /// If true, the outputs contain arrays with the origin of each point and cell.
@@ -47,8 +52,8 @@ public:
   InteriorCellPass* InteriorPass = nullptr;
   /**
    * In a pass that applies a criterion, the boundary of the input, which is the boundary output of
-   * the previous pass. Each triangle is cut like the tetrahedron that it is a face of. Null in
-   * other passes, or if no boundary is requested.
+   * the previous pass. Each triangle is cut like the tetrahedron that it is a face of, and added to
+   * the boundary of this pass. Null in other passes, or if no boundary is requested.
    */
   vtkUnstructuredGrid* InputBoundary = nullptr;
 
@@ -65,6 +70,9 @@ private:
   void CheckSize(const ExtractionContext& context, vtkIdType points, vtkIdType simplices,
     vtkIdType interiorCells) const;
   bool ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays);
+  /// In a pass that applies a criterion, replaces the items of cells and boundary triangles by the
+  /// intervals of the input's cells, and sets the sides of the triangles.
+  void SetIntervals(vtkDataSet* input, ExtractionMesh& mesh) const;
   void FillOutput(const ExtractionContext& context, ExtractionMesh& mesh, PointArrays& arrays,
     vtkDataSet* original, vtkUnstructuredGrid* output) const;
   void FillBoundary(const ExtractionContext& context, const ExtractionMesh& mesh,

@@ -16,11 +16,14 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -244,6 +247,52 @@ std::vector<std::string> ExtractionInput::GetWarnings(
     }
   }
   return warnings;
+}
+
+vtkSmartPointer<vtkDataSet> ExtractionInput::HideCellsOutside(
+  vtkDataSet* input, const std::vector<Range>& ranges)
+{
+  const auto copy = vtk::TakeSmartPointer(input->NewInstance());
+  copy->ShallowCopy(input);
+  const vtkIdType cells = input->GetNumberOfCells();
+  vtkUnsignedCharArray* const before = input->GetCellGhostArray();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(cells);
+  const auto overlaps = [](const Range& range, vtkIdList* points)
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
+    for (const vtkIdType point : *points)
+    {
+      const double value = range.Array->GetComponent(point, 0);
+      minimum = std::min(minimum, value);
+      maximum = std::max(maximum, value);
+    }
+    return minimum <= range.Upper && maximum >= range.Lower;
+  };
+  vtkNew<vtkIdList> first;
+  if (cells > 0)
+  {
+    // Build the structures that the parallel calls need.
+    input->GetCellPoints(0, first);
+  }
+  vtkSMPTools::For(0, cells,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> points;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        input->GetCellPoints(cell, points);
+        const bool isShown = std::any_of(ranges.begin(), ranges.end(),
+          [&](const Range& range) { return overlaps(range, points); });
+        const int flags = before ? before->GetValue(cell) : 0;
+        ghosts->SetValue(cell,
+          static_cast<unsigned char>(isShown ? flags : flags | vtkDataSetAttributes::HIDDENCELL));
+      }
+    });
+  copy->GetCellData()->AddArray(ghosts);
+  return copy;
 }
 
 std::string ExtractionInput::DescribeArrayToProcess(vtkAlgorithm* owner)

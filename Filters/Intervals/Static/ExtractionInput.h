@@ -4,6 +4,7 @@
 
 #include "Common/Error.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <array>
@@ -12,6 +13,7 @@
 
 class vtkAbstractArray;
 class vtkAlgorithm;
+class vtkDataArray;
 class vtkDataSet;
 
 namespace interlume
@@ -57,6 +59,18 @@ public:
   /// extracted.
   static std::vector<std::string> GetWarnings(
     vtkDataSet* input, int dimension, int precision, const ExtractionReport& report);
+
+  /// A point array and a range of its values.
+  struct Range
+  {
+    vtkDataArray* Array;
+    double Lower;
+    double Upper;
+  };
+
+  /// Returns a copy of a dataset in which a cell is hidden if no array overlaps its range there.
+  static vtkSmartPointer<vtkDataSet> HideCellsOutside(
+    vtkDataSet* input, const std::vector<Range>& ranges);
 
   /// Returns a description, for messages, of the input array that \a owner processes.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);

@@ -64,7 +64,13 @@ void CheckKind(MeshKind kind, Check& check)
       const double high = values - 1.0;
       CheckMatching(
         mesh, { { 0, 0 }, { 1, 1 }, { 0, 1 }, { 1, high }, { 0.5, 1 }, { 0.5, 1.5 } }, check);
-      CheckMatching(mesh, { { 0, 1 }, { 1, high } }, check, { { "g", 0.5, 1 } });
+      for (int operation : { vtkIntervalVolume::INTERSECTION, vtkIntervalVolume::UNION,
+             vtkIntervalVolume::DIFFERENCE })
+      {
+        CheckMatching(mesh, { { 0, 1 }, { 1, high } }, check, { { "g", 0.5, 1 } }, operation);
+        CheckMatching(
+          mesh, { { 0, 1 } }, check, { { "g", 1, 2 }, { "f", 1, 1.5 }, { "g", 0, 0 } }, operation);
+      }
       // No other interval begins at an upper bound of these intervals.
       CheckMatching(mesh, { { 0, 1 }, { 0.5, 2 } }, check);
     }

@@ -188,7 +188,7 @@ class MatchingChecker
 {
 public:
   MatchingChecker(vtkDataSet* data, const std::vector<Interval>& intervals, Check& check,
-    const std::vector<MatchingCriterion>& criteria)
+    const std::vector<MatchingCriterion>& criteria, int operation)
     : Data(data)
     , Intervals(intervals)
     , Test(check)
@@ -209,6 +209,7 @@ public:
     {
       filter->AddCriterion(one.Array.c_str(), one.Lower, one.Upper);
     }
+    filter->SetCriteriaOperation(operation);
     filter->WarnOnEmptyOutputOff();
     filter->Update();
     this->Volume = filter->GetOutput();
@@ -224,7 +225,7 @@ public:
       return;
     }
     std::vector<bool> isUsed(this->Volume->GetNumberOfPoints(), false);
-    for (int i = 0; i < static_cast<int>(this->Intervals.size()); ++i)
+    for (int i = -1; i < static_cast<int>(this->Intervals.size()); ++i)
     {
       this->CheckInterval(i);
       for (const Tetrahedron& t : TetrahedraOf(this->Volume, i))
@@ -242,7 +243,6 @@ private:
   void CheckInterval(int i)
   {
     const std::string name = "interval " + std::to_string(i) + ": ";
-    const Interval& bounds = this->Intervals[i];
     const std::vector<Tetrahedron> tetrahedra = TetrahedraOf(this->Volume, i);
     this->Test.Equal(
       CountOpposite(tetrahedra), 0, name + "tetrahedra that occur with both orientations");
@@ -251,14 +251,14 @@ private:
     Net<3> remaining = faces;
     long long invalid = 0;
     std::vector<Triangle> all;
-    for (int side = 0; side < 2; ++side)
+    for (int side = 0; side < 2 + 2 * static_cast<int>(this->Criteria.size()); ++side)
     {
       for (const Triangle& triangle : BoundaryOf(this->Surface, i, side))
       {
         const OrientedSimplex<3> oriented(triangle);
         const auto face = faces.find(oriented.Key);
         invalid += face == faces.end() || face->second * oriented.Sign <= 0 ||
-          !AreAll(this->Values, triangle, bounds[side]);
+          !this->IsAtBound(triangle, i, side);
         all.push_back(triangle);
       }
     }
@@ -272,29 +272,44 @@ private:
       [&](const auto& face)
       {
         return face.second != 0 && !this->Domain.IsOnFace(this->Volume, face.first) &&
-          !this->IsCut(face.first);
+          !(i < 0 && this->IsCut(face.first));
       });
     this->Test.Equal(cracks, 0, name + "interior faces that do not cancel");
     if (this->HasOrigins)
     {
       this->CheckCells(i, name);
     }
-    if (bounds[0] == bounds[1] && this->Criteria.empty())
+    if (i >= 0 && this->Intervals[i][0] == this->Intervals[i][1] && this->Criteria.empty())
     {
-      this->CheckPointInterval(i, bounds[0], name);
+      this->CheckPointInterval(i, this->Intervals[i][0], name);
     }
   }
 
-  /// Returns whether the array of any criterion equals the same bound of this criterion at all
-  /// points of a face.
+  /// Returns whether all values of a face equal the bound of an interval or criterion with the
+  /// given BoundarySide.
+  bool IsAtBound(const Triangle& face, int interval, int side) const
+  {
+    if (side < 2)
+    {
+      return interval >= 0 && AreAll(this->Values, face, this->Intervals[interval][side]);
+    }
+    const MatchingCriterion& one = this->Criteria[side / 2 - 1];
+    return AreAll(this->Volume->GetPointData()->GetArray(one.Array.c_str()), face,
+      side % 2 == 0 ? one.Lower : one.Upper);
+  }
+
+  /// Returns whether all values of a face equal any bound.
   bool IsCut(const Triangle& face) const
   {
-    return std::any_of(this->Criteria.begin(), this->Criteria.end(),
-      [&](const MatchingCriterion& one)
+    bool isCut = false;
+    for (int side = 0; side < 2 + 2 * static_cast<int>(this->Criteria.size()); ++side)
+    {
+      for (size_t i = 0; i < (side < 2 ? this->Intervals.size() : 1); ++i)
       {
-        vtkDataArray* values = this->Volume->GetPointData()->GetArray(one.Array.c_str());
-        return AreAll(values, face, one.Lower) || AreAll(values, face, one.Upper);
-      });
+        isCut |= this->IsAtBound(face, static_cast<int>(i), side);
+      }
+    }
+    return isCut;
   }
 
   /// Checks that each triangle has the same origin cell as a tetrahedron of which it is a face.
@@ -598,9 +613,9 @@ std::vector<double> GetQuantiles(vtkDataSet& data)
 }
 
 void CheckMatching(vtkDataSet* data, const std::vector<Interval>& intervals, Check& check,
-  const std::vector<MatchingCriterion>& criteria)
+  const std::vector<MatchingCriterion>& criteria, int operation)
 {
-  MatchingChecker(data, intervals, check, criteria).Run();
+  MatchingChecker(data, intervals, check, criteria, operation).Run();
 }
 
 void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Check& check)
@@ -610,7 +625,7 @@ void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Ch
   {
     intervals.push_back({ bounds[i], bounds[i + 1] });
   }
-  MatchingChecker checker(data, intervals, check, {});
+  MatchingChecker checker(data, intervals, check, {}, vtkIntervalVolume::INTERSECTION);
   checker.Run();
   const double domain = static_cast<double>(MeshVolume(data));
   check.Near(checker.GetVolume(), domain, 1e-12, "sum of the signed volumes");

@@ -41,18 +41,20 @@ struct MatchingCriterion
 
 /**
  * Extracts intervals and their boundary (port 1) from the active scalars of three-dimensional
- * cells, and checks each interval:
+ * cells, and checks each interval, and the region with IntervalId -1:
  * - No two tetrahedra have the same points and opposite orientation.
  * - Each face of the tetrahedra either cancels (another tetrahedron uses it with opposite
- *   orientation), is a triangle of port 1, lies in a boundary face of the domain, or satisfies a
- *   criterion with equality at all points.
+ *   orientation), is a triangle of port 1, or lies in a boundary face of the domain. In the region
+ *   with IntervalId -1, a face where all values equal a bound may be none of these.
  * - Each triangle of port 1 is a face that does not cancel, with the same orientation, and occurs
  *   once. All its values equal the bound. Its origin cell is that of a tetrahedron with this face.
  * - An interval [a, a] consists of the cells whose corners all have the value a.
  * - Every point is used.
+ *
+ * \a operation is one of vtkIntervalVolume::CriteriaOperations.
  */
 void CheckMatching(vtkDataSet* data, const std::vector<Interval>& intervals, Check& check,
-  const std::vector<MatchingCriterion>& criteria = {});
+  const std::vector<MatchingCriterion>& criteria = {}, int operation = 0);
 
 /// Performs the checks of CheckMatching() for the adjacent intervals between \a bounds, which must
 /// include all scalars. The signed volumes of all intervals must add up to the volume of the
