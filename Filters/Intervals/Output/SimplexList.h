@@ -2,11 +2,9 @@
 #ifndef interlume_SimplexList_h
 #define interlume_SimplexList_h
 
-#include "Common/ParallelFor.h"
 #include "Output/ExtractionBuffer.h"
 #include "Output/StridedIdBlock.h"
 #include "Output/RetainedIdRanges.h"
-#include "Output/ThreadGrain.h"
 
 #include "vtkCellArray.h"
 #include "vtkIsotable.h"
@@ -49,28 +47,7 @@ public:
   /// Allocates \a number simplices of \a size points each, and \a interiorCells interior cells with
   /// \a interiorIds points in total.
   void Allocate(vtkIdType number, int size, vtkIdType numberOfPoints, vtkIdType interiorCells = 0,
-    vtkIdType interiorIds = 0)
-  {
-    this->Number = number;
-    this->Size = size;
-    this->NumberOfInteriorCells = interiorCells;
-    this->Narrow = {};
-    this->Wide = {};
-    const vtkIdType ids = number * size + interiorIds;
-    const auto allocate = [&](auto& list)
-    {
-      using Array = std::decay_t<decltype(*list.Values)>;
-      list.Values = vtkSmartPointer<Array>::New();
-      OutputAllocation::SetNumberOfTuples(list.Values, ids);
-      if (interiorCells > 0)
-      {
-        list.Offsets = this->NewOffsets<Array>();
-        Set(list.Offsets->GetPointer(0)[number + interiorCells], ids);
-      }
-    };
-    CanUse32BitStorage(numberOfPoints, ids) ? allocate(this->Narrow) : allocate(this->Wide);
-    this->FindIds();
-  }
+    vtkIdType interiorIds = 0);
 
   vtkIdType GetNumber() const { return this->Number; }
   vtkIdType GetNumberOfInteriorCells() const { return this->NumberOfInteriorCells; }
@@ -188,15 +165,7 @@ public:
   }
 
   /// Numbers the points of all simplices consecutively, so that no two simplices share a point.
-  void NumberConsecutively()
-  {
-    this->Visit(
-      [this](auto* values)
-      {
-        ParallelFor(0, this->Number * this->Size, ThreadGrain,
-          [values](vtkIdType at) { Set(values[at], at); });
-      });
-  }
+  void NumberConsecutively();
 
   /// Moves the retained simplices to the front. Call Truncate() to remove the rest.
   void Keep(const RetainedIdRanges& retained)
@@ -225,93 +194,20 @@ public:
   }
 
   /// Removes all but the first \a number simplices, and moves the interior cells after them.
-  void Truncate(vtkIdType number)
-  {
-    const vtkIdType removed = this->Number - number;
-    const vtkIdType before = this->GetNumberOfIds();
-    if (this->NumberOfInteriorCells > 0)
-    {
-      this->VisitIdsAndOffsets(
-        [&](auto* values, auto* offsets)
-        {
-          std::copy(
-            values + this->Number * this->Size, values + before, values + number * this->Size);
-          for (vtkIdType cell = 0; cell <= this->NumberOfInteriorCells; ++cell)
-          {
-            Set(offsets[number + cell], offsets[this->Number + cell] - removed * this->Size);
-          }
-        });
-    }
-    this->Number = number;
-    this->Shorten(before - removed * this->Size);
-  }
+  void Truncate(vtkIdType number);
 
   /// Removes the marked interior cells.
-  void RemoveInteriorCells(const std::vector<bool>& isRemoved)
-  {
-    vtkIdType retained = 0;
-    vtkIdType position = this->Number * this->Size;
-    for (vtkIdType cell = 0; cell < this->NumberOfInteriorCells; ++cell)
-    {
-      const auto ids = this->GetInteriorIdRange(cell);
-      if (!isRemoved[cell])
-      {
-        this->VisitIdsAndOffsets(
-          [&](auto* values, auto* offsets)
-          {
-            std::copy(values + ids.first, values + ids.second, values + position);
-            Set(offsets[this->Number + retained], position);
-          });
-        position += ids.second - ids.first;
-        ++retained;
-      }
-    }
-    this->VisitIdsAndOffsets(
-      [&](auto*, auto* offsets) { Set(offsets[this->Number + retained], position); });
-    this->NumberOfInteriorCells = retained;
-    this->Shorten(position);
-  }
+  void RemoveInteriorCells(const std::vector<bool>& isRemoved);
 
   /// Renumbers the points after all but the \a retained ones were removed. \a numberOfPoints is the
   /// number of points before the removal. The cells must use only retained points.
-  void RemovePoints(const RetainedIdRanges& retained, vtkIdType numberOfPoints)
-  {
-    this->Visit(
-      [&](auto* values)
-      {
-        ExtractionBuffer<std::decay_t<decltype(*values)>> newIds;
-        newIds.Allocate(numberOfPoints);
-        retained.FillIds(newIds.GetData());
-        ParallelFor(0, this->GetNumberOfIds(), ThreadGrain,
-          [values, ids = newIds.GetData()](vtkIdType i) { values[i] = ids[values[i]]; });
-      });
-  }
+  void RemovePoints(const RetainedIdRanges& retained, vtkIdType numberOfPoints);
 
   /// Creates the cell array, which shares the memory of the list.
-  vtkSmartPointer<vtkCellArray> MakeCells()
-  {
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    this->VisitList(
-      [&](const auto& list) { cells->SetData(this->MakeOffsets(list.Offsets), list.Values); });
-    return cells;
-  }
+  vtkSmartPointer<vtkCellArray> MakeCells();
 
   /// Returns a copy of the simplices, without the interior cells.
-  SimplexList CopySimplices() const
-  {
-    SimplexList copy;
-    copy.Allocate(
-      this->Number, this->Size, this->Wide.Values ? std::numeric_limits<vtkIdType>::max() : 0);
-    copy.Visit(
-      [this](auto* values)
-      {
-        for (vtkIdType at = 0; at < this->Number * this->Size; ++at)
-        {
-          Set(values[at], this->GetIdAt(at));
-        }
-      });
-    return copy;
-  }
+  SimplexList CopySimplices() const;
 
 private:
   // The ids of all cells, and a raw pointer to them for fast writing.
@@ -326,13 +222,7 @@ private:
     void FindIds() { this->Ids = this->Values ? this->Values->GetPointer(0) : nullptr; }
   };
 
-  void FindIds()
-  {
-    this->Narrow.FindIds();
-    this->Wide.FindIds();
-    this->IsStreamed = this->Size == 4 && this->Narrow.Ids &&
-      StridedIdBlock::ShouldStream(this->Narrow.Ids, this->Number);
-  }
+  void FindIds();
 
   // Calls visit(list) for the list in use, if any.
   template <typename Visitor>
@@ -349,19 +239,7 @@ private:
   }
 
   // Frees the unused capacity of the arrays. \a ids is the number of ids to keep.
-  void Shorten(vtkIdType ids)
-  {
-    this->VisitList(
-      [&](const auto& list)
-      {
-        OutputAllocation::Shorten(list.Values, ids);
-        if (list.Offsets)
-        {
-          OutputAllocation::Shorten(list.Offsets, this->Number + this->NumberOfInteriorCells + 1);
-        }
-      });
-    this->FindIds();
-  }
+  void Shorten(vtkIdType ids);
 
   // Calls visit(ids, offsets). Requires interior cells.
   template <typename Visitor>
@@ -393,28 +271,11 @@ private:
   }
 
   template <typename Array>
-  vtkSmartPointer<Array> NewOffsets() const
-  {
-    auto offsets = vtkSmartPointer<Array>::New();
-    OutputAllocation::SetNumberOfTuples(offsets, this->Number + this->NumberOfInteriorCells + 1);
-    return offsets;
-  }
+  vtkSmartPointer<Array> NewOffsets() const;
 
   // Returns the offsets of all cells. Those of interior cells are already set.
   template <typename Array>
-  vtkSmartPointer<Array> MakeOffsets(const vtkSmartPointer<Array>& interiorOffsets) const
-  {
-    using Id = typename Array::ValueType;
-    const vtkSmartPointer<Array> offsets =
-      interiorOffsets ? interiorOffsets : this->NewOffsets<Array>();
-    Id* values = offsets->GetPointer(0);
-    const Id size = this->Size;
-    const bool isStreamed = this->IsStreamed;
-    vtkSMPTools::For(0, this->Number + (interiorOffsets ? 0 : 1), ThreadGrain,
-      [values, size, isStreamed](vtkIdType first, vtkIdType last)
-      { StridedIdBlock::FillMultiples(values, size, first, last, isStreamed); });
-    return offsets;
-  }
+  vtkSmartPointer<Array> MakeOffsets(const vtkSmartPointer<Array>& interiorOffsets) const;
 
   vtkIdType Number = 0;
   int Size = 4;
