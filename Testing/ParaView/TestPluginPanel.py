@@ -68,7 +68,7 @@ CASES = {
         **COMMON, "Ambient": (0.7, {}), "Diffuse": (0.2, {}), "Specular": (0.9, {}), "SpecularPower": (2.0, {"Specular": 1.0}),
         "ColoredShadows": (1, {}), "ImageSampleDistance": (6.0, {}), "LightBufferSize": (16, {}),
         "LightLookup": ("Nearest", {}), "MaximumNumberOfShadows": (0, {}), "Shadows": (0, {}), "SliceSpacing": (3.0, {}), "ViewLightAngle": (40.0, {"NumberOfLightSamples": 4}),
-        "ShadowedShade": (0, {}), "ShadowedTwoSidedLighting": (0, {}), "ShadowedOpacityUnitDistance": (20.0, {}), "ShadowedUseCropping": (1, {
+        "ShadowedShade": (0, {}), "ShadowedTwoSidedLighting": (0, {}), "ShadowedSurfaceGradient": (1.0, {}), "ShadowedOpacityUnitDistance": (20.0, {}), "ShadowedUseCropping": (1, {
             "ShadowedCroppingScale": [0.5, 0.5, 0.5]}),
         "ShadowedCroppingOrigin": ([2.0, 0.0, 0.0], {"ShadowedUseCropping": 1}),
         "ShadowedCroppingScale": ([0.5, 0.5, 0.5], {"ShadowedUseCropping": 1}),
@@ -77,7 +77,8 @@ CASES = {
         "ShadowedOpacityComponent": (1, {
             "ShadowedUseSeparateOpacityArray": 1, "ShadowedOpacityArrayName": ["POINTS", "vectors"]}),
         "ProjectiveLight": (1, {}), "ProjectiveLightColor": ([1.0, 0.0, 0.0], LIGHT),
-        "ProjectiveLightEdgeWidth": (0.9, LIGHT), "ProjectiveLightFocalPoint": ([8.0, 0.0, 0.0], LIGHT),
+        "ProjectiveLightEdgeWidth": (0.9, LIGHT), "ProjectiveLightScreenOpacity": (0.2, LIGHT), "ProjectiveLightInterpolate": (None, {}),
+        "ProjectiveLightFocalPoint": ([8.0, 0.0, 0.0], LIGHT),
         "ProjectiveLightIntensity": (3.0, LIGHT), "ProjectiveLightPosition": ([-9.0, 20.0, 3.0], LIGHT),
         "ProjectiveLightPositional": ("Point", LIGHT), "ProjectiveLightScreenHeight": (3.0, LIGHT),
         "ProjectiveLightScreenWidth": (3.0, LIGHT), "ProjectiveLightShadows": (0, {**LIGHT, "ProjectiveLightIntensity": 9.0}),
@@ -102,7 +103,7 @@ CASES = {
 # TestPluginAreaLight, TestPluginInflowTextures, TestPluginSceneShadows and TestPluginPieceShadows
 # test these properties.
 TESTED_IN_OTHER_SCRIPTS = {
-    "AreaLightImage", "InflowSurfaceId", "InflowSurfaceTexture", "ProjectiveLightImage", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
+    "AreaLightImage", "InflowSurfaceId", "InflowSurfaceTexture", "ProjectiveLightImage", "ProjectiveLightInterpolate", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
     "ShadowGridResolution"}
 
 

@@ -68,11 +68,16 @@ def draw(picture, path):
     simple.Delete(source)
 
 
-def own_switches(view):
-    """Returns the switch of each projective light in the view."""
+def own_lights(view):
+    """Returns the projective lights in the view."""
     lights = view.GetClientSideObject().GetRenderer().GetLights()
     lights = [lights.GetItemAsObject(i) for i in range(lights.GetNumberOfItems())]
-    return [light.GetSwitch() for light in lights if light.IsA("vtkProjectiveLight")]
+    return [light for light in lights if light.IsA("vtkProjectiveLight")]
+
+
+def own_switches(view):
+    """Returns the switch of each projective light in the view."""
+    return [light.GetSwitch() for light in own_lights(view)]
 
 
 def check_light(checks, view, source, display):
@@ -82,6 +87,10 @@ def check_light(checks, view, source, display):
     display.ProjectiveLight = True
     simple.Render(view)
     checks.equal(own_switches(view), [1], "own light, switched on")
+    for interpolates, printed in ((0, "Off"), (1, "On")):
+        display.ProjectiveLightInterpolate = interpolates
+        simple.Render(view)
+        checks.that(f"Interpolate: {printed}" in str(own_lights(view)[0]), "interpolation of the light's image")
     display.SetRepresentationType("Outline")
     simple.Render(view)
     checks.equal(own_switches(view), [0], "own light with an outline")
