@@ -13,8 +13,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace interlume
@@ -176,6 +176,105 @@ void AddTriangle(ExtractionMesh& mesh, const Triple& points, int item, int side)
   mesh.Triangles.push_back(points);
   mesh.TriangleItemIds->InsertNextValue(item);
   mesh.TriangleSides->InsertNextValue(side);
+}
+
+// The boundary of a mesh of simplices, except for the triangles of interior cells.
+class BoundaryFaces
+{
+public:
+  BoundaryFaces(
+    vtkDataSet* input, vtkUnstructuredGrid* boundary, int corners, const InteriorCellPass* whole)
+    : Corners(corners)
+    , Near(input->GetNumberOfPoints(), false)
+  {
+    vtkDataArray* itemIds = boundary->GetCellData()->GetArray("IntervalId");
+    vtkDataArray* sides = boundary->GetCellData()->GetArray("BoundarySide");
+    const bool hasInterior = whole && !whole->TriangleInteriorCells.empty();
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType t = 0; t < boundary->GetNumberOfCells(); ++t)
+    {
+      if (hasInterior && whole->TriangleInteriorCells[t] >= 0)
+      {
+        continue;
+      }
+      boundary->GetCellPoints(t, ids);
+      std::for_each(ids->begin(), ids->end(), [this](vtkIdType id) { this->Near[id] = true; });
+      const Triple points{ { ids->GetId(0), ids->GetId(1), ids->GetId(corners - 1) } };
+      this->Faces.push_back({ static_cast<int>(itemIds->GetComponent(t, 0)),
+        MakeKey(points, corners), static_cast<int>(sides->GetComponent(t, 0)) });
+    }
+    std::sort(this->Faces.begin(), this->Faces.end());
+  }
+
+  // Sets \a sides to the BoundarySide of each face of a simplex, or to -1 if the face is not in the
+  // boundary. Returns whether any face is.
+  bool FindSides(int item, const vtkIdType* ids, int* sides) const
+  {
+    bool isAny = false;
+    const bool isNear = std::count_if(ids, ids + this->Corners + 1,
+                          [this](vtkIdType id) { return this->Near[id]; }) >= this->Corners;
+    for (int out = 0; isNear && out <= this->Corners; ++out)
+    {
+      const int* const face = GetFaces(this->Corners)[out];
+      const Face sought{ item,
+        MakeKey({ { ids[face[0]], ids[face[1]], ids[face[2]] } }, this->Corners), -1 };
+      const auto found = std::lower_bound(this->Faces.begin(), this->Faces.end(), sought);
+      const bool isFound =
+        found != this->Faces.end() && found->Item == item && found->Key == sought.Key;
+      sides[out] = isFound ? found->Side : -1;
+      isAny |= isFound;
+    }
+    return isAny;
+  }
+
+private:
+  struct Face
+  {
+    int Item;
+    Triple Key;
+    int Side;
+
+    bool operator<(const Face& other) const
+    {
+      return std::tie(this->Item, this->Key, this->Side) <
+        std::tie(other.Item, other.Key, other.Side);
+    }
+  };
+
+  int Corners;
+  // A mark per point, true if a boundary face has the point.
+  std::vector<bool> Near;
+  std::vector<Face> Faces;
+};
+
+// Adds the faces of a simplex that lie in a boundary face of the input's cell with points \a ids.
+// \a sides contains the side of each face of the cell, or -1.
+void AddFaces(
+  ExtractionMesh& mesh, vtkIdType simplex, const vtkIdType* ids, const int* sides, int corners)
+{
+  vtkIdType points[4];
+  for (int p = 0; p <= corners; ++p)
+  {
+    points[p] = mesh.Simplices.GetId(simplex, p);
+  }
+  for (int out = 0; out <= corners; ++out)
+  {
+    const auto isOnFace = [&](int p)
+    {
+      const ExtractionPoint& point = mesh.Points[points[p]];
+      return point.Near != ids[out] && point.Far != ids[out];
+    };
+    for (int f = 0; sides[out] >= 0 && f <= corners; ++f)
+    {
+      const int* const face = GetFaces(corners)[f];
+      if (std::all_of(face, face + 3, isOnFace))
+      {
+        AddTriangle(mesh, { { points[face[0]], points[face[1]], points[face[2]] } },
+          mesh.ItemIds->GetValue(simplex), sides[out]);
+        mesh.TriangleCellIds.push_back(mesh.CellIds[simplex]);
+      }
+    }
+  }
 }
 
 // Copies the boundary triangles of interior cells, which remain unchanged.
@@ -424,61 +523,26 @@ void ExtractionCleanup::CutBoundary(const ExtractionContext& context,
 {
   vtkDataSet* const input = context.Input;
   const int corners = context.Dimension;
-  FaceVertices* const faces = GetFaces(corners);
-  vtkDataArray* itemIds = inputBoundary->GetCellData()->GetArray("IntervalId");
-  vtkDataArray* sides = inputBoundary->GetCellData()->GetArray("BoundarySide");
-  vtkDataArray* itemOfCell = input->GetCellData()->GetArray("IntervalId");
-  vtkNew<vtkIdList> ids;
-  std::map<std::pair<int, Triple>, int> sideOf;
   const std::size_t number = mesh.Triangles.size();
-  const auto getInteriorCell = [whole](vtkIdType t)
-  { return whole && !whole->TriangleInteriorCells.empty() ? whole->TriangleInteriorCells[t] : -1; };
-  for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
-  {
-    if (getInteriorCell(t) >= 0)
-    {
-      continue;
-    }
-    inputBoundary->GetCellPoints(t, ids);
-    const Triple points{ { ids->GetId(0), ids->GetId(1), ids->GetId(corners - 1) } };
-    sideOf[{ static_cast<int>(itemIds->GetComponent(t, 0)), MakeKey(points, corners) }] =
-      static_cast<int>(sides->GetComponent(t, 0));
-  }
+  const BoundaryFaces boundary(input, inputBoundary, corners, whole);
   const vtkIdType simplices = mesh.CellIds.GetSize() > 0 ? mesh.Simplices.GetNumber() : 0;
+  vtkIdType last = -1;
+  vtkNew<vtkIdList> ids;
+  int sides[4];
+  bool hasFace = false;
   for (vtkIdType simplex = 0; simplex < simplices; ++simplex)
   {
+    // The simplices of a cell are consecutive.
     const vtkIdType cell = mesh.CellIds[simplex];
-    const int item = static_cast<int>(itemOfCell->GetComponent(cell, 0));
-    input->GetCellPoints(cell, ids);
-    for (int out = 0; out <= corners; ++out)
+    if (cell != last)
     {
-      const Triple faceIds{ { ids->GetId(faces[out][0]), ids->GetId(faces[out][1]),
-        ids->GetId(faces[out][2]) } };
-      const auto side = sideOf.find({ item, MakeKey(faceIds, corners) });
-      if (side == sideOf.end())
-      {
-        continue;
-      }
-      vtkIdType points[4];
-      for (int p = 0; p <= corners; ++p)
-      {
-        points[p] = mesh.Simplices.GetId(simplex, p);
-      }
-      const auto isOnFace = [&](vtkIdType p)
-      {
-        const ExtractionPoint& point = mesh.Points[p];
-        return point.Near != ids->GetId(out) && point.Far != ids->GetId(out);
-      };
-      for (int f = 0; f <= corners; ++f)
-      {
-        const int* const face = faces[f];
-        if (isOnFace(points[face[0]]) && isOnFace(points[face[1]]) && isOnFace(points[face[2]]))
-        {
-          AddTriangle(
-            mesh, { { points[face[0]], points[face[1]], points[face[2]] } }, item, side->second);
-          mesh.TriangleCellIds.push_back(cell);
-        }
-      }
+      last = cell;
+      input->GetCellPoints(cell, ids);
+      hasFace = boundary.FindSides(mesh.ItemIds->GetValue(simplex), ids->GetPointer(0), sides);
+    }
+    if (hasFace)
+    {
+      AddFaces(mesh, simplex, ids->GetPointer(0), sides, corners);
     }
   }
   const bool hasInterior = whole && !whole->TriangleInteriorCells.empty();
