@@ -228,8 +228,14 @@ vtkSmartPointer<vtkDataArray> CellArrayConversion::Average(vtkDataSet* input, vt
   const auto grid = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
   grid->CopyStructure(input);
   const char* const name = "values";
-  const auto values = vtkSmartPointer<vtkDataArray>::Take(source->NewInstance());
-  values->ShallowCopy(source);
+  // VTK's filter does not average ids and bits, and reads other memory layouts than tuple by tuple
+  // incorrectly.
+  const int type = source->GetDataType();
+  const bool isNumber = type != VTK_ID_TYPE && type != VTK_BIT;
+  const auto values = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(isNumber ? type : VTK_DOUBLE));
+  isNumber && source->HasStandardMemoryLayout() ? values->ShallowCopy(source)
+                                                : values->DeepCopy(source);
   values->SetName(name);
   grid->GetCellData()->AddArray(values);
   vtkNew<vtkCellDataToPointData> filter;
@@ -252,14 +258,14 @@ vtkSmartPointer<vtkDataArray> CellArrayConversion::Average(vtkDataSet* input, vt
     filter->Update();
   }
   vtkSmartPointer<vtkDataArray> averages = filter->GetOutput()->GetPointData()->GetArray(name);
-  if (averages)
+  if (averages && averages->GetNumberOfTuples() == input->GetNumberOfPoints())
   {
     ClearUnusedPoints(vtkUnstructuredGrid::SafeDownCast(grid), averages);
   }
   else
   {
-    // There are no cells.
-    averages.TakeReference(source->NewInstance());
+    // There are no cells, or the user aborted.
+    averages.TakeReference(values->NewInstance());
     averages->SetNumberOfComponents(source->GetNumberOfComponents());
     averages->SetNumberOfTuples(input->GetNumberOfPoints());
     averages->Fill(0.0);

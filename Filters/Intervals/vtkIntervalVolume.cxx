@@ -15,6 +15,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -22,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -38,6 +40,28 @@ double ReadNumber(const std::string& text)
   std::string rest;
   return stream >> number && !(stream >> rest) ? number : std::numeric_limits<double>::quiet_NaN();
 }
+
+// A range of a point array.
+struct Range
+{
+  vtkDataArray* Array;
+  double Lower;
+  double Upper;
+
+  // Returns whether the values at the points of a cell overlap the range.
+  bool Overlaps(vtkIdList* points) const
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
+    for (const vtkIdType point : *points)
+    {
+      const double value = this->Array->GetComponent(point, 0);
+      minimum = std::min(minimum, value);
+      maximum = std::max(maximum, value);
+    }
+    return minimum <= this->Upper && maximum >= this->Lower;
+  }
+};
 }
 
 vtkIntervalVolume::vtkIntervalVolume()
@@ -105,6 +129,12 @@ interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
     const auto array = interlume::CellArrayConversion::FindByName(input, criterion.ArrayName);
     error = interlume::ExtractionInput::CheckScalars(input, array.Array, array.Association,
       "point or cell array \"" + criterion.ArrayName + "\" of a criterion");
+    if (!error && !interlume::ExtractionArrays::IsCarried(input->GetPointData(), array.Array))
+    {
+      error = name +
+        " needs an array of values, but these are ids or ghost flags. Copy them to an array with "
+        "another name that is not an active attribute.";
+    }
     if (!error && !criterion.InvalidBound.empty())
     {
       error = name + " has the bound " + criterion.InvalidBound +
@@ -174,7 +204,8 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
     completed = this->ExtractCells(2, isMixed, input, scalars, run, surfaces, lines);
     if (completed)
     {
-      interlume::SurfaceCells::Append(surfaces, lines, output, boundary);
+      interlume::SurfaceCells::Append(
+        { surfaces.GetPointer() }, { lines.GetPointer() }, output, boundary);
     }
   }
   for (vtkUnstructuredGrid* grid : { output, boundary })
@@ -234,44 +265,69 @@ bool vtkIntervalVolume::ExtractCells(int dimension, bool isMixed, vtkDataSet* in
 bool vtkIntervalVolume::AppendCriteria(int dimension, vtkDataSet* input, vtkDataArray* scalars,
   interlume::ExtractionRun& run, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
-  std::vector<interlume::ExtractionInput::Range> ranges;
+  const int criteria = this->GetNumberOfCriteria();
+  std::vector<Range> ranges;
   for (const Criterion& criterion : this->Criteria)
   {
     ranges.push_back({ input->GetPointData()->GetArray(criterion.ArrayName.c_str()),
       criterion.Lower, criterion.Upper });
   }
-  const vtkSmartPointer<vtkDataSet> overlapping =
-    interlume::ExtractionInput::HideCellsOutside(input, ranges);
-  const interlume::ExtractionValues values =
-    interlume::ExtractionValues::ForComplement(this->GetIntervals());
-  interlume::ExtractionReport report;
+  const vtkSmartPointer<vtkDataSet> overlapping = interlume::ExtractionInput::HideCells(input,
+    [&ranges](vtkIdList* points)
+    {
+      return std::none_of(ranges.begin(), ranges.end(),
+        [points](const Range& range) { return range.Overlaps(points); });
+    });
   interlume::Extraction extraction;
+  std::vector<vtkIntervalList::Interval> intervals;
+  for (const vtkIntervalList::Interval& interval : this->GetIntervals())
+  {
+    // An interval of zero width consists of cells.
+    if (interval[0] == interval[1])
+    {
+      extraction.SkippedConstants.push_back(interval[0]);
+    }
+    else
+    {
+      intervals.push_back(interval);
+    }
+  }
+  const interlume::ExtractionValues values = interlume::ExtractionValues::ForComplement(intervals);
+  interlume::ExtractionReport report;
   extraction.Owner = this;
   extraction.Values = &values;
-  extraction.Warning = &run.GetSizeWarning();
   extraction.IdName = "IntervalId";
   extraction.Dimension = dimension;
   extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
   vtkNew<vtkUnstructuredGrid> rest;
   this->StartPass("Extracting the cells that satisfy a criterion");
   bool completed = extraction.Execute(overlapping, scalars, rest, nullptr, report);
-  const int criteria = this->GetNumberOfCriteria();
+  interlume::SurfaceCells::Grids parts;
+  interlume::SurfaceCells::Grids boundaries;
   for (int number = 0; completed && number < criteria; ++number)
   {
     rest->GetCellData()->GetArray("IntervalId")->Fill(-1);
-    vtkNew<vtkUnstructuredGrid> part;
-    vtkNew<vtkUnstructuredGrid> partBoundary;
-    part->ShallowCopy(rest);
-    completed = this->ApplyCriterion(dimension, number, false, run, nullptr, part, partBoundary);
-    if (completed)
-    {
-      run.GetEmptyOutputDiagnosis().Add(nullptr, nullptr, part->GetNumberOfCells());
-      interlume::SurfaceCells::Append(part, partBoundary, output, boundary);
-    }
+    parts.push_back(vtkSmartPointer<vtkUnstructuredGrid>::New());
+    boundaries.push_back(vtkSmartPointer<vtkUnstructuredGrid>::New());
+    parts.back()->ShallowCopy(rest);
+    completed =
+      this->ApplyCriterion(dimension, number, false, run, nullptr, parts.back(), boundaries.back());
     if (completed && number + 1 < criteria)
     {
       completed = this->ApplyCriterion(dimension, number, true, run, nullptr, rest, nullptr);
     }
+  }
+  for (vtkUnstructuredGrid* part : parts)
+  {
+    run.GetEmptyOutputDiagnosis().Add(nullptr, nullptr, part->GetNumberOfCells());
+    run.GetSizeWarning().Add(static_cast<double>(part->GetNumberOfCells()),
+      1024.0 * static_cast<double>(part->GetActualMemorySize()),
+      "Use narrower ranges of criteria or a coarser input.",
+      dimension == 2 ? "triangles" : "tetrahedra");
+  }
+  if (completed)
+  {
+    interlume::SurfaceCells::Append(parts, boundaries, output, boundary);
   }
   return completed;
 }

@@ -47,7 +47,7 @@ struct InteriorCellPass;
  * - every point array, interpolated linearly along grid edges. Integers become float (8 and 16
  *   bits) or double. The processed array is the active scalars.
  * - every cell array, copied from the input cell
- * - cell array `IntervalId` (int): the index of the interval
+ * - cell array `IntervalId` (int): the index of the interval; see also CriteriaOperation
  *
  * Output port 1, if GenerateBoundaries is on: the triangles where f equals a bound, oriented
  * outward from their interval. They use the points and point ids of port 0 and have its point
@@ -103,12 +103,15 @@ public:
   /**
    * Add criteria: combine the intervals with the region lower <= array <= upper, see
    * CriteriaOperation, where array is another point array, or a cell array if no point array has
-   * this name. Each criterion adds a pass over the tetrahedra. The orientation of tetrahedra is
-   * preserved, so signed volumes still add up if some are inverted. Cells where the array is NaN or
-   * infinite are skipped. The array must have one component. Default: none. AddCriterionAsText
-   * parses the bounds from text. If a bound is not a number, the range contains NaN and the next
-   * execution reports the text as an error. For an invalid index, GetCriterionArrayName returns
-   * null and GetCriterionRange leaves its arguments unchanged.
+   * this name. Each criterion adds a pass over the tetrahedra, or two with UNION. The orientation
+   * of tetrahedra is preserved, so signed volumes still add up if some are inverted. Tetrahedra are
+   * dropped if the array is NaN or infinite at a corner. The array must have one component, and not
+   * contain ids. For ranges of the array of the intervals, use intervals: values of floating-point
+   * arrays at cuts differ from the bound by rounding error, so a criterion with the same bound may
+   * cut off slivers. Default: none. AddCriterionAsText parses the bounds from text. If a bound is
+   * not a number, the range contains NaN and the next execution reports the text as an error. For
+   * an invalid index, GetCriterionArrayName returns null and GetCriterionRange leaves its arguments
+   * unchanged.
    */
   void AddCriterion(const char* arrayName, double lower, double upper);
   void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);
@@ -123,9 +126,10 @@ public:
    * How criteria change the result:
    * - INTERSECTION: the part of the intervals that satisfies all criteria
    * - UNION: the intervals, and the region outside of them that satisfies any criterion. This
-   *   region has the `IntervalId` -1 and the tetrahedra at the end of the output. Its points on the
-   *   boundary of an interval coincide with those of the interval, but are separate points. Cells
-   *   are skipped where the scalar is NaN or infinite.
+   *   region has the `IntervalId` -1. Its tetrahedra are last in the output, sorted by criterion.
+   *   They share no points with the intervals, and those of different criteria share none. Cells
+   *   are skipped where the scalar is NaN or infinite. At least one interval must be set. The
+   *   report and the warnings about cells describe the extraction of the intervals.
    * - DIFFERENCE: the part of the intervals that satisfies no criterion
    *
    * Default INTERSECTION.
@@ -144,8 +148,11 @@ public:
   /**
    * If true, generate the boundary triangles on port 1. With criteria, this includes the triangles
    * where the array of a criterion equals its bound. Their `BoundarySide` is 2 i + 2 at the lower
-   * and 2 i + 3 at the upper bound of criterion i, counted from 0. With UNION, these are the
-   * triangles outside of the intervals and of earlier criteria. Default off.
+   * and 2 i + 3 at the upper bound of criterion i, counted from 0. With UNION, the boundary of each
+   * interval is complete, and the triangles of a criterion are those outside of the intervals and
+   * of earlier criteria. On a face between the pieces of a distributed grid, a triangle of a
+   * criterion may be missing or superfluous if the criterion's array equals the bound there.
+   * Default off.
    */
   vtkSetMacro(GenerateBoundaries, bool);
   vtkGetMacro(GenerateBoundaries, bool);
@@ -155,8 +162,8 @@ public:
   ///@{
   /**
    * If true, copy three-dimensional cells that lie inside an interval and satisfy all criteria, and
-   * cut only the other cells. With UNION, cells inside an interval are copied, and with DIFFERENCE
-   * and criteria, all cells are cut. Default off.
+   * cut only the other cells. With UNION, cells inside an interval are copied, and the tetrahedra
+   * of criteria follow them. With DIFFERENCE and criteria, all cells are cut. Default off.
    */
   vtkSetMacro(KeepInteriorCells, bool);
   vtkGetMacro(KeepInteriorCells, bool);

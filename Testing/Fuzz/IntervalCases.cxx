@@ -122,7 +122,7 @@ double LargestValue(vtkDataArray* values)
 }
 
 /// Checks that the values at the points of each interval's cells are within the bounds, up to
-/// rounding error.
+/// rounding error. Cells of a criterion belong to no interval.
 void CheckValues(vtkUnstructuredGrid* grid, const std::vector<Interval>& intervals, double largest,
   reference::Check& check)
 {
@@ -136,6 +136,10 @@ void CheckValues(vtkUnstructuredGrid* grid, const std::vector<Interval>& interva
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
+    if (ids->GetTuple1(cell) < 0)
+    {
+      continue;
+    }
     const Interval& interval = intervals.at(static_cast<std::size_t>(ids->GetTuple1(cell)));
     grid->GetCellPoints(cell, points);
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)

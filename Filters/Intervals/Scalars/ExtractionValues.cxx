@@ -64,10 +64,10 @@ ExtractionValues ExtractionValues::ForIntervals(const std::vector<std::array<dou
 
 ExtractionValues ExtractionValues::ForComplement(std::vector<std::array<double, 2>> intervals)
 {
-  constexpr double largest = std::numeric_limits<double>::max();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::sort(intervals.begin(), intervals.end());
   std::vector<std::array<double, 2>> gaps;
-  double begin = -largest;
+  double begin = -infinity;
   for (const auto& interval : intervals)
   {
     if (interval[0] > begin)
@@ -76,16 +76,13 @@ ExtractionValues ExtractionValues::ForComplement(std::vector<std::array<double, 
     }
     begin = std::max(begin, interval[1]);
   }
-  if (begin < largest)
-  {
-    gaps.push_back({ { begin, largest } });
-  }
+  gaps.push_back({ { begin, infinity } });
   ExtractionValues result = ExtractionValues::ForIntervals(gaps);
   // The ends of a gap belong to the intervals.
   for (Item& item : result.Items)
   {
-    const bool isFirst = result.Values[item.Lower] == -largest;
-    const bool isLast = result.Values[item.Upper] == largest;
+    const bool isFirst = result.Values[item.Lower] == -infinity;
+    const bool isLast = result.Values[item.Upper] == infinity;
     item.First = static_cast<Code>(2 * item.Lower + (isFirst ? 1 : 2));
     item.Second = static_cast<Code>(2 * item.Upper + (isLast ? 2 : 1));
   }

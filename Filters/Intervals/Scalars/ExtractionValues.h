@@ -65,6 +65,7 @@ public:
   /// lower <= upper.
   static ExtractionValues ForIntervals(const std::vector<std::array<double, 2>>& intervals);
   /// Creates the values for the regions outside all of these closed intervals, in ascending order.
+  /// The first lower and the last upper value are infinite.
   static ExtractionValues ForComplement(std::vector<std::array<double, 2>> intervals);
 
   vtkIsotable::Kinds GetKind() const { return this->Kind; }

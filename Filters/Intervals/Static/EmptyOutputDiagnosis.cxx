@@ -93,8 +93,12 @@ void EmptyOutputDiagnosis::Range::Add(vtkDataArray* array)
   {
     double range[2];
     array->GetFiniteRange(range, 0);
-    this->Minimum = std::min(this->Minimum, range[0]);
-    this->Maximum = std::max(this->Maximum, range[1]);
+    // Without a finite value, the range is inverted.
+    if (range[0] <= range[1])
+    {
+      this->Minimum = std::min(this->Minimum, range[0]);
+      this->Maximum = std::max(this->Maximum, range[1]);
+    }
   }
 }
 
@@ -181,8 +185,15 @@ std::string EmptyOutputDiagnosis::ExplainFromData(const std::string& sought)
   {
     // The last criterion with an empty result is decisive, since its input was not empty.
     const Criterion& last = this->Criteria.back();
-    why << last.Words << " excludes all cells; before it, the array ranges from "
-        << last.Before.Minimum << " to " << last.Before.Maximum << ".";
+    why << last.Words << " excludes all cells; before it, the array ";
+    if (last.Before.IsEmpty())
+    {
+      why << "has no finite value.";
+    }
+    else
+    {
+      why << "ranges from " << last.Before.Minimum << " to " << last.Before.Maximum << ".";
+    }
     return why.str();
   }
   this->Look();

@@ -25,6 +25,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -32,6 +33,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -200,6 +202,22 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   const vtkSmartPointer<vtkDataArray> contiguous =
     ExtractionDispatch::MakeContiguous(context.Scalars);
   context.Scalars = contiguous;
+  vtkSmartPointer<vtkDataSet> shown;
+  if (!this->SkippedConstants.empty())
+  {
+    shown = ExtractionInput::HideCells(context.Input,
+      [&](vtkIdList* points)
+      {
+        return std::any_of(this->SkippedConstants.begin(), this->SkippedConstants.end(),
+          [&](double constant)
+          {
+            return std::all_of(points->begin(), points->end(),
+              [&](vtkIdType point) { return contiguous->GetComponent(point, 0) == constant; });
+          });
+      });
+    context.Input = shown;
+    GhostCells::SetBlanking(shown, context);
+  }
   // If orientations are kept, the previous pass computed the input points, which are thus finite.
   const NonFinitePoints nonFinite =
     this->KeepOrientation ? NonFinitePoints() : NonFinitePoints(context.Input);
@@ -308,6 +326,13 @@ void Extraction::SetIntervals(vtkDataSet* input, ExtractionMesh& mesh) const
   {
     mesh.TriangleItemIds->SetValue(t, getInterval(mesh.TriangleCellIds[t]));
     mesh.TriangleSides->SetValue(t, this->Sides[mesh.TriangleSides->GetValue(t)]);
+  }
+  const auto& items = this->Values->GetItems();
+  if (items.size() == 2 && items[0].Upper == items[1].Lower)
+  {
+    // Outside of an interval of zero width, triangles cancel at its value.
+    mesh.TiedTriangles.resize(mesh.Triangles.size());
+    std::iota(mesh.TiedTriangles.begin(), mesh.TiedTriangles.end(), vtkIdType(0));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "Pass/ExtractionIndex.h"
 
 #include <array>
+#include <vector>
 
 class vtkUnstructuredGrid;
 
@@ -42,6 +43,8 @@ public:
   /// In a pass that applies a criterion, the BoundarySide of the triangles at the lower and upper
   /// ends of items.
   std::array<int, 2> Sides = { { 0, 1 } };
+  /// Cells in which the scalars equal one of these values at all points are skipped.
+  std::vector<double> SkippedConstants;
   /// If true, contour triangles share points.
   bool SharePoints = true;
   /// If true, the outputs contain arrays with the origin of each point and cell.

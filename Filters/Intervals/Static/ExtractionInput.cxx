@@ -249,8 +249,8 @@ std::vector<std::string> ExtractionInput::GetWarnings(
   return warnings;
 }
 
-vtkSmartPointer<vtkDataSet> ExtractionInput::HideCellsOutside(
-  vtkDataSet* input, const std::vector<Range>& ranges)
+vtkSmartPointer<vtkDataSet> ExtractionInput::HideCells(
+  vtkDataSet* input, const std::function<bool(vtkIdList*)>& isHidden)
 {
   const auto copy = vtk::TakeSmartPointer(input->NewInstance());
   copy->ShallowCopy(input);
@@ -259,18 +259,6 @@ vtkSmartPointer<vtkDataSet> ExtractionInput::HideCellsOutside(
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfValues(cells);
-  const auto overlaps = [](const Range& range, vtkIdList* points)
-  {
-    double minimum = std::numeric_limits<double>::infinity();
-    double maximum = -minimum;
-    for (const vtkIdType point : *points)
-    {
-      const double value = range.Array->GetComponent(point, 0);
-      minimum = std::min(minimum, value);
-      maximum = std::max(maximum, value);
-    }
-    return minimum <= range.Upper && maximum >= range.Lower;
-  };
   vtkNew<vtkIdList> first;
   if (cells > 0)
   {
@@ -284,11 +272,10 @@ vtkSmartPointer<vtkDataSet> ExtractionInput::HideCellsOutside(
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         input->GetCellPoints(cell, points);
-        const bool isShown = std::any_of(ranges.begin(), ranges.end(),
-          [&](const Range& range) { return overlaps(range, points); });
         const int flags = before ? before->GetValue(cell) : 0;
         ghosts->SetValue(cell,
-          static_cast<unsigned char>(isShown ? flags : flags | vtkDataSetAttributes::HIDDENCELL));
+          static_cast<unsigned char>(
+            isHidden(points) ? flags | vtkDataSetAttributes::HIDDENCELL : flags));
       }
     });
   copy->GetCellData()->AddArray(ghosts);

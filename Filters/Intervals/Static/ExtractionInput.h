@@ -8,13 +8,14 @@
 #include "vtkType.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
 class vtkAbstractArray;
 class vtkAlgorithm;
-class vtkDataArray;
 class vtkDataSet;
+class vtkIdList;
 
 namespace interlume
 {
@@ -60,17 +61,10 @@ public:
   static std::vector<std::string> GetWarnings(
     vtkDataSet* input, int dimension, int precision, const ExtractionReport& report);
 
-  /// A point array and a range of its values.
-  struct Range
-  {
-    vtkDataArray* Array;
-    double Lower;
-    double Upper;
-  };
-
-  /// Returns a copy of a dataset in which a cell is hidden if no array overlaps its range there.
-  static vtkSmartPointer<vtkDataSet> HideCellsOutside(
-    vtkDataSet* input, const std::vector<Range>& ranges);
+  /// Returns a copy of a dataset in which the cells are hidden for which \a isHidden, called in
+  /// parallel with the point ids of a cell, returns true.
+  static vtkSmartPointer<vtkDataSet> HideCells(
+    vtkDataSet* input, const std::function<bool(vtkIdList*)>& isHidden);
 
   /// Returns a description, for messages, of the input array that \a owner processes.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);

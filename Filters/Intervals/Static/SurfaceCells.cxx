@@ -232,23 +232,30 @@ private:
   vtkNew<vtkPoints> TrianglePoints;
 };
 
-// Appends the cells of a grid, with their points. A grid without points may lack arrays.
-void AppendTo(vtkUnstructuredGrid* output, vtkUnstructuredGrid* added)
+// Appends the cells of grids, with their points. Grids without points may lack arrays.
+void AppendTo(vtkUnstructuredGrid* output, const SurfaceCells::Grids& parts)
 {
-  if (added->GetNumberOfPoints() == 0 || output->GetNumberOfPoints() == 0)
-  {
-    if (added->GetNumberOfPoints() > 0)
-    {
-      output->ShallowCopy(added);
-    }
-    return;
-  }
   vtkNew<vtkUnstructuredGrid> before;
   before->ShallowCopy(output);
+  SurfaceCells::Grids grids{ before.GetPointer() };
+  grids.insert(grids.end(), parts.begin(), parts.end());
+  grids.erase(std::remove_if(grids.begin(), grids.end(),
+                [](vtkUnstructuredGrid* grid) { return grid->GetNumberOfPoints() == 0; }),
+    grids.end());
+  if (grids.size() == 1)
+  {
+    output->ShallowCopy(grids[0]);
+  }
+  if (grids.size() < 2)
+  {
+    return;
+  }
   vtkNew<vtkAppendFilter> append;
-  append->AddInputData(before);
-  append->AddInputData(added);
-  append->SetOutputPointsPrecision(before->GetPoints()->GetDataType() == VTK_DOUBLE
+  for (vtkUnstructuredGrid* grid : grids)
+  {
+    append->AddInputData(grid);
+  }
+  append->SetOutputPointsPrecision(grids[0]->GetPoints()->GetDataType() == VTK_DOUBLE
       ? vtkAlgorithm::DOUBLE_PRECISION
       : vtkAlgorithm::SINGLE_PRECISION);
   append->Update();
@@ -286,13 +293,13 @@ void SurfaceCells::Convert(vtkDataSet* input, ExtractionIndex::LinearGrid& surfa
   Converter(input, surface).Execute();
 }
 
-void SurfaceCells::Append(vtkUnstructuredGrid* triangles, vtkUnstructuredGrid* lines,
-  vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
+void SurfaceCells::Append(const Grids& parts, const Grids& boundaries, vtkUnstructuredGrid* output,
+  vtkUnstructuredGrid* boundary)
 {
-  AppendTo(output, triangles);
+  AppendTo(output, parts);
   if (boundary->GetPoints())
   {
-    AppendTo(boundary, lines);
+    AppendTo(boundary, boundaries);
     boundary->SetPoints(output->GetPoints());
     boundary->GetPointData()->ShallowCopy(output->GetPointData());
   }

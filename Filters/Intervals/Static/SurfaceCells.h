@@ -4,6 +4,10 @@
 
 #include "Pass/ExtractionIndex.h"
 
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
 class vtkDataSet;
 class vtkUnstructuredGrid;
 
@@ -41,11 +45,12 @@ public:
   /// point arrays of the input, and inherit the ghost flags of its cells.
   static void Convert(vtkDataSet* input, ExtractionIndex::LinearGrid& surface);
 
-  /// Appends triangles to the tetrahedra in \a output, and lines to the triangles in \a boundary.
-  /// The lines have the points of the triangles, and \a boundary has the points of \a output. Grids
-  /// that are appended must have the same arrays.
-  static void Append(vtkUnstructuredGrid* triangles, vtkUnstructuredGrid* lines,
-    vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary);
+  using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
+
+  /// Appends \a parts to \a output, and their boundaries to \a boundary. Each boundary has the
+  /// points of its part. Grids that are appended must have the same arrays.
+  static void Append(const Grids& parts, const Grids& boundaries, vtkUnstructuredGrid* output,
+    vtkUnstructuredGrid* boundary);
 };
 
 }

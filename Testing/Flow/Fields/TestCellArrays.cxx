@@ -21,6 +21,8 @@
 #include "vtkVortexAxis.h"
 
 #include "vtkAMRBox.h"
+#include "vtkAppendFilter.h"
+#include "vtkBitArray.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -28,12 +30,14 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkStringArray.h"
 #include "vtkTerminationPlane.h"
 #include "vtkUniformGrid.h"
@@ -556,6 +560,49 @@ void TestCriteria(Check& check)
   }
 }
 
+/// Arrays of ids and bits, and arrays with the layout of structures of arrays, are averaged like
+/// arrays of doubles with the same values.
+void TestTypes(Check& check)
+{
+  const auto image = MakeFlowImage(5, GetVelocity);
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(image);
+  append->Update();
+  for (vtkDataSet* data :
+    { static_cast<vtkDataSet*>(image), static_cast<vtkDataSet*>(append->GetOutput()) })
+  {
+    std::string expected;
+    for (vtkSmartPointer<vtkDataArray> array :
+      { vtkSmartPointer<vtkDataArray>(vtkDoubleArray::New()),
+        vtkSmartPointer<vtkDataArray>(vtkIdTypeArray::New()),
+        vtkSmartPointer<vtkDataArray>(vtkBitArray::New()),
+        vtkSmartPointer<vtkDataArray>(vtkSOADataArrayTemplate<double>::New()) })
+    {
+      array->UnRegister(nullptr);
+      check.SetContext(std::string(data->GetClassName()) + ", " + array->GetClassName());
+      array->SetName("marks");
+      array->SetNumberOfTuples(data->GetNumberOfCells());
+      for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+      {
+        array->SetComponent(cell, 0, cell % 5 == 0 ? 1 : 0);
+      }
+      data->GetPointData()->Initialize();
+      data->GetCellData()->Initialize();
+      data->GetCellData()->AddArray(array);
+      const auto filter = MakeFilter<vtkIntervalVolume>();
+      filter->SetInputData(data);
+      filter->SetInputArrayToProcess(0, 0, 0, Cells, "marks");
+      filter->SetInterval(0, 0.15, 0.4);
+      filter->Update();
+      std::string text;
+      AppendBytes(text, filter->GetOutput()->GetPoints()->GetData());
+      expected = expected.empty() ? text : expected;
+      check.That(text.size() > 2000, "the output is not empty");
+      check.That(text == expected, "the same points");
+    }
+  }
+}
+
 /// Returns three time steps. \a isConverted selects the reference.
 TimeSteps MakeSteps(vtkDataSet* grid, bool isConverted, bool isComposite)
 {
@@ -888,6 +935,7 @@ void TestUnusedPoints(Check& check)
 
 int TestCellArrays(int, char*[])
 {
-  return RunChecks({ TestAllGrids, TestSelections, TestReport, TestBlocks, TestLevels, TestCriteria,
-    TestTimeSteps, TestSlabs, TestChanges, TestCache, TestPieces, TestErrors, TestUnusedPoints });
+  return RunChecks(
+    { TestAllGrids, TestSelections, TestReport, TestBlocks, TestLevels, TestCriteria, TestTypes,
+      TestTimeSteps, TestSlabs, TestChanges, TestCache, TestPieces, TestErrors, TestUnusedPoints });
 }

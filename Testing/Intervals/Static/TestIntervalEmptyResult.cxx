@@ -119,6 +119,26 @@ void CheckReasons(Check& check)
         filter->AddCriterion("p", 0, 2);
       },
       { "the criterion on \"p\" from 0 to 2", "ranges from 5 to 9." } },
+    { "a criterion without values", MakeInput(),
+      [](vtkIntervalVolume* filter)
+      {
+        vtkNew<vtkDoubleArray> empty;
+        empty->SetName("NaN");
+        empty->SetNumberOfTuples(vtkDataSet::SafeDownCast(filter->GetInput())->GetNumberOfPoints());
+        empty->Fill(std::nan(""));
+        vtkDataSet::SafeDownCast(filter->GetInput())->GetPointData()->AddArray(empty);
+        filter->SetInterval(0, 0.5, 1);
+        filter->AddCriterion("NaN", 0, 2);
+      },
+      { "the criterion on \"NaN\" from 0 to 2", "has no finite value." } },
+    { "a union", MakeInput(),
+      [](vtkIntervalVolume* filter)
+      {
+        filter->SetInterval(0, 20, 21);
+        filter->AddCriterion("p", -2, -1);
+        filter->SetCriteriaOperation(vtkIntervalVolume::UNION);
+      },
+      { "[20, 21] or satisfies a criterion" } },
     { "enough", MakeInput(), [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0.5, 1); },
       {} },
     { "quiet", MakeInput(), [](vtkIntervalVolume* filter) { filter->WarnOnEmptyOutputOff(); }, {} },

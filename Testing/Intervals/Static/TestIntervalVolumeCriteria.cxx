@@ -3,6 +3,7 @@
 // functions and for arbitrary values on tetrahedra. The order of criteria has no effect, and
 // several intervals still tile the domain.
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceLattice.h"
@@ -12,6 +13,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
@@ -20,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -98,6 +102,11 @@ double ExpectedVolume(vtkUnstructuredGrid* mesh, const std::vector<Range>& range
     }
   }
   return static_cast<double>(volume);
+}
+
+vtkUnstructuredGrid* GetBoundary(vtkIntervalVolume* filter)
+{
+  return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
 }
 
 constexpr int Operations[] = { Filter::INTERSECTION, Filter::UNION, Filter::DIFFERENCE };
@@ -197,6 +206,89 @@ void CheckTies(MeshKind kind, Check& check)
   }
 }
 
+/// The union with a criterion that all points satisfy is the domain, also if an interval of zero
+/// width consists of constant cells, and at the largest numbers.
+void CheckWholeUnion(MeshKind kind, Check& check)
+{
+  auto mesh = MakeMesh(kind, { 4, 4, 4 });
+  vtkDataArray* f = AddIntegerField(mesh, 3, 8);
+  AddLinearField(mesh, { 0.5, { 0.01, 0, 0 } }, "g");
+  mesh->GetPointData()->SetActiveScalars("f");
+  const double domain = static_cast<double>(MeshVolume(mesh));
+  const double largest = std::numeric_limits<double>::max();
+  for (const Range& range :
+    { Range{ "f", 1, 1 }, { "f", 0, 1 }, { "f", 1, 1.5 }, { "f", 2, largest },
+      { "f", largest, largest }, { "f", -largest, -largest }, { "f", -largest, largest } })
+  {
+    check.SetContext(GetName(kind) + ", whole union with [" + std::to_string(range.Lower) + ", " +
+      std::to_string(range.Upper) + "]");
+    check.Near(ExtractedVolume(mesh, { range, { "g", -9, 9 } }, check, Filter::UNION), domain,
+      1e-12, "volume", domain);
+  }
+  for (const double extreme : { largest, -largest })
+  {
+    check.SetContext(GetName(kind) + ", extreme values");
+    f->Fill(extreme);
+    const Range range = { "f", extreme, extreme };
+    const Range all = { "g", -9, 9 };
+    check.Near(
+      ExtractedVolume(mesh, { range, all }, check, Filter::UNION), domain, 1e-12, "union", domain);
+    check.Near(ExtractedVolume(mesh, { all, range }, check, Filter::DIFFERENCE), 0, 1e-12,
+      "difference", domain);
+  }
+}
+
+/// The difference with a criterion of zero width has no boundary where its value is crossed.
+void CheckZeroWidth(Check& check)
+{
+  check.SetContext("criterion of zero width");
+  auto image = MakeImage({ 6, 5, 4 });
+  AddLinearField(image, { 0, { 0, 1, 0 } }, "g");
+  AddLinearField(image, { 0, { 1, 0, 0 } });
+  vtkNew<vtkIntervalVolume> filter;
+  filter->SetInputData(image);
+  filter->SetInterval(0, -1.15, -1);
+  filter->GenerateBoundariesOn();
+  filter->Update();
+  const vtkIdType triangles = GetBoundary(filter)->GetNumberOfCells();
+  filter->AddCriterion("g", 1.4, 1.4);
+  filter->SetCriteriaOperation(Filter::DIFFERENCE);
+  filter->Update();
+  vtkDataArray* sides = GetBoundary(filter)->GetCellData()->GetArray("BoundarySide");
+  double range[2];
+  sides->GetRange(range);
+  check.That(range[0] == 0 && range[1] == 1, "only sides of the interval");
+  check.That(GetBoundary(filter)->GetNumberOfCells() >= triangles, "triangles of the interval");
+}
+
+/// A criterion on ids is an error.
+void CheckIds(Check& check)
+{
+  check.SetContext("ids");
+  auto image = MakeImage({ 2, 2, 2 });
+  AddLinearField(image, { 0, { 1, 0, 0 } });
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ids");
+  ids->SetNumberOfValues(image->GetNumberOfPoints());
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues(), vtkIdType(0));
+  for (const bool isPedigree : { false, true })
+  {
+    image->GetPointData()->SetGlobalIds(isPedigree ? nullptr : ids.GetPointer());
+    image->GetPointData()->SetPedigreeIds(isPedigree ? ids.GetPointer() : nullptr);
+    for (int operation : Operations)
+    {
+      vtkNew<vtkIntervalVolume> filter;
+      filter->SetInputData(image);
+      filter->SetInterval(0, -2, 2);
+      filter->AddCriterion("ids", 0, 4);
+      filter->SetCriteriaOperation(operation);
+      const std::string errors = UpdateAndGetErrors(filter);
+      check.That(errors.find("\"ids\"") != std::string::npos, "an error names the array");
+      check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "cells");
+    }
+  }
+}
+
 /// The region of a union that no interval contains has the IntervalId -1. Each part keeps the
 /// arrays of the input, and the boundaries of criteria have their own sides.
 void CheckLabels(Check& check)
@@ -223,8 +315,7 @@ void CheckLabels(Check& check)
   {
     filter->SetCriteriaOperation(operation);
     filter->Update();
-    vtkUnstructuredGrid* boundary =
-      vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
+    vtkUnstructuredGrid* boundary = GetBoundary(filter);
     check.Equal(boundary->GetNumberOfPoints(), filter->GetOutput()->GetNumberOfPoints(), "points");
     std::set<std::pair<int, int>> labels;
     for (vtkIdType cell = 0; cell < boundary->GetNumberOfCells(); ++cell)
@@ -309,7 +400,10 @@ int TestIntervalVolumeCriteria(int, char*[])
   {
     CheckLinear(kind, check);
     CheckSum(kind, check);
+    CheckWholeUnion(kind, check);
   }
+  CheckZeroWidth(check);
+  CheckIds(check);
   for (MeshKind kind : TetrahedralMeshKinds())
   {
     CheckTetrahedra(kind, check);
