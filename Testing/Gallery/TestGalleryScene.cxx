@@ -2,10 +2,12 @@
 // Draws one scene of the gallery and compares it with its baseline, first by VTK's image
 // difference, then pixel by pixel. Arguments: the scene's id, then arguments of vtkTesting: -T
 // directory for results, -V baseline. The image is saved in the directory for results as
-// `<id>.png`. After an intended change, inspect it and copy it over the baseline.
+// `<id>.png`. After an intended change, inspect it and copy it over the baseline. `<id>.json`
+// contains the counters, which TestGalleryCounters checks.
 
 #include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
+#include "Gallery/SceneReport.h"
 #include "Gallery/Stage.h"
 #include "Support/Drawing/PixelDifference.h"
 
@@ -16,6 +18,7 @@
 #include "vtkTesting.h"
 #include "vtkTrivialProducer.h"
 
+#include <nlohmann/json.hpp>
 #include <vtksys/SystemTools.hxx>
 
 #include <cstdlib>
@@ -77,6 +80,8 @@ bool Matches(const gallery::Scene& scene, vtkTesting* testing)
   writer->SetInputData(image);
   writer->SetFileName((std::string(testing->GetTempDirectory()) + "/" + scene.Id + ".png").c_str());
   writer->Write();
+  std::ofstream(std::string(testing->GetTempDirectory()) + "/" + scene.Id + ".json")
+    << gallery::ToJson(report).dump(2) << "\n";
   const bool close = testing->RegressionTest(producer, VTK_THRESHOLD) == vtkTesting::PASSED;
   const bool same = IsWithinPixelBoundsOfAny(image, testing->GetValidImageFileName());
   return close && same;
