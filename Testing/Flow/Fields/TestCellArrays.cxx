@@ -581,6 +581,7 @@ void TestTypes(Check& check)
       array->UnRegister(nullptr);
       check.SetContext(std::string(data->GetClassName()) + ", " + array->GetClassName());
       array->SetName("marks");
+      array->SetNumberOfComponents(1);
       array->SetNumberOfTuples(data->GetNumberOfCells());
       for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
       {
