@@ -112,7 +112,7 @@ def check_criteria(checks, source):
     volume = interval_volume(source, "Temp", [(400, 500)], [("AsH3", 0.1, 0.2)])
     ids = {}
     for operation in ("Intersection", "Union", "Difference"):
-        volume.CriteriaOperation = operation
+        volume.CombineCriteria = operation
         ids[operation] = fetch(volume).GetCellData().GetArray("IntervalId").GetRange()
     checks.equal(ids, {"Intersection": (0, 0), "Union": (-1, 0), "Difference": (0, 0)}, "interval ids")
     simple.Delete(volume)
