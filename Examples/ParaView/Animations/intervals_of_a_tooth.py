@@ -18,6 +18,7 @@ view.Background = [0.93, 0.93, 0.94]
 
 tooth = OpenDataFile(data)
 interval = IntervalVolume(Input=tooth, Scalars=["POINTS", "density"])
+interval.Intervals = [70, 255]
 display = Show(interval, view)
 display.SetRepresentationType("Interval Volume")
 ColorBy(display, ("POINTS", "density"))
@@ -28,7 +29,7 @@ GetOpacityTransferFunction("density").Points = [60, 0.5, 0.5, 0, 255, 0.9, 0.5, 
 display.IntervalOpacityUnitDistance = 6
 
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-1, -2, 0.6], [0, 0, 0], [0, 0, 1]
-ResetCamera(view, *tooth.GetDataInformation().GetBounds())
+ResetCamera(view)
 for frame in range(int(number)):
     lower = 70 + 150 * frame / max(int(number) - 1, 1)
     interval.Intervals = [lower, lower + 35]

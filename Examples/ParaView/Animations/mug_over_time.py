@@ -21,7 +21,8 @@ mug.UpdatePipeline()
 over_time = TimeVaryingIntervalVolume(Input=mug, Scalars=["POINTS", "convected"])
 over_time.Intervals = [0.5, 1.0]
 over_time.GenerateSimplices = 1  # the slices are computed from these
-at_time = SimplexTimeSlice(Input=OutputPort(over_time, 2))
+start, end = mug.TimestepValues[0], mug.TimestepValues[-1]
+at_time = SimplexTimeSlice(Input=OutputPort(over_time, 2), Time=0.5 * (start + end))
 display = Show(at_time, view)
 display.ColorArrayName = [None, ""]
 display.AmbientColor = display.DiffuseColor = [0.80, 0.36, 0.25]
@@ -30,7 +31,6 @@ outline.AmbientColor = outline.DiffuseColor = [0.5, 0.5, 0.5]
 
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.25, -1, 0.6], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)
-start, end = mug.TimestepValues[0], mug.TimestepValues[-1]
 for frame in range(int(number)):
     at_time.Time = start + (end - start) * (frame + 1) / int(number)
     SaveScreenshot(f"{frames}-{frame:03}.png", view)

@@ -24,13 +24,15 @@ lid.Center, lid.Normal, lid.Lengths = [0, 0, 10.1], [0, 0, 1], [11.5, 11.5]
 field.SampleMode = "Image"
 field.SampleDimensions, field.SampleBounds = [49, 49, 57], [-5.7, 5.7, -5.7, 5.7, -3.5, 10.1]
 field.MaximumTime = 8
-volume = FlowVolume(Input=field, GenerateTimeSurfaces=1)
+volume = FlowVolume(Input=field, Intervals=[], GenerateTimeSurfaces=1, TimeSurfaces=[0.5])
 display = Show(OutputPort(volume, 2), view)
 display.ColorArrayName = [None, ""]
 display.AmbientColor = display.DiffuseColor = [0.25, 0.45, 0.70]
+outline = Show(Outline(Input=disk), view)
+outline.AmbientColor = outline.DiffuseColor = [0.5, 0.5, 0.5]
 
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.35, -1, 0.5], [0, 0, 0], [0, 0, 1]
-ResetCamera(view, *disk.GetDataInformation().GetBounds())
+ResetCamera(view)
 for frame in range(int(number)):
     volume.TimeSurfaces = [0.5 + 5 * frame / max(int(number) - 1, 1)]
     SaveScreenshot(f"{frames}-{frame:03}.png", view)
