@@ -109,7 +109,7 @@ def check_messages(checks, source):
 
 def check_criteria(checks, source):
     """Tests how criteria change the result."""
-    volume = interval_volume(source, "Temp", [(400, 500)], [("AsH3", 0.1, 0.2)])
+    volume = interval_volume(source, "Temp", [(400, 500)], [("AsH3", 0.1, 0.14)])
     ids = {}
     for operation in ("Intersection", "Union", "Difference"):
         volume.CombineCriteria = operation
