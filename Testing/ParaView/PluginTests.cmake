@@ -164,15 +164,16 @@ plugin_example(intervals_of_a_tooth tooth.vti)
 plugin_example(mug_over_time mug.ex2)
 plugin_example(shadows_of_a_bonsai bonsai.vti)
 plugin_example(stream_volume_around_a_disk disk_out_ref.vtu)
-foreach (animation IN ITEMS intervals_of_a_tooth|tooth.vti dye_around_a_disk|disk_out_ref.vtu
-         time_surfaces_around_a_disk|disk_out_ref.vtu mug_over_time|mug.ex2)
-  string(REPLACE "|" ";" animation "${animation}")
-  list(GET animation 0 name)
-  list(GET animation 1 data)
+# plugin_animation(NAME [DATA])
+function (plugin_animation name)
   plugin_test(ParaViewAnimation_${name} "paraview;image" ${batch} "${script}/TestPluginAnimation.py"
-    "${PROJECT_SOURCE_DIR}/Examples/ParaView/Animations/${name}.py" ${data}
+    "${PROJECT_SOURCE_DIR}/Examples/ParaView/Animations/${name}.py" ${ARGN}
     "${CMAKE_CURRENT_BINARY_DIR}/animation-${name}")
-endforeach ()
+endfunction ()
+plugin_animation(intervals_of_a_tooth tooth.vti)
+plugin_animation(mug_over_time mug.ex2)
+plugin_animation(dye_around_a_sphere)
+plugin_animation(time_surfaces_around_a_sphere)
 plugin_test(TestPluginStates "paraview;image" ${batch} "${script}/TestPluginStates.py"
   "${PROJECT_SOURCE_DIR}/Examples/ParaView/States" "${CMAKE_CURRENT_BINARY_DIR}")
 set_tests_properties(TestPluginStates PROPERTIES FIXTURES_REQUIRED examples)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a script of Examples/ParaView/Animations and checks its frames.
 
-Arguments: the script, the data file and the start of the frames' names.
+Arguments: the script, its data file if it reads one, and the start of the frames' names.
 """
 
 import glob
@@ -18,10 +18,10 @@ SMALLEST_CHANGE = 0.005  # fraction of pixels that differ between two frames
 
 
 def main():
-    script, data, frames = sys.argv[1:]
+    script, *data, frames = sys.argv[1:]
     for path in glob.glob(f"{frames}-*.png"):
         os.remove(path)
-    sys.argv = [script, os.environ["INTERLUME_PLUGIN"], data_path(data), frames, str(NUMBER)]
+    sys.argv = [script, os.environ["INTERLUME_PLUGIN"], *map(data_path, data), frames, str(NUMBER)]
     runpy.run_path(script)
     checks = Checks()
     paths = sorted(glob.glob(f"{frames}-*.png"))
