@@ -328,6 +328,7 @@ int main(int argc, char* argv[])
       checker.CheckScene(scene);
       checker.CheckPage(scene);
     }
+    checker.Expect(argc - 2 >= 12, "there are at least twelve scenes");
     for (int i = 2; i < argc; ++i)
     {
       checker.CheckScene(nlohmann::json::parse(Checker::ReadText(argv[i])));

@@ -24,7 +24,7 @@ struct ExtractionReport;
 
 /**
  * @class   ExtractionInput
- * @brief   checks the input of an extraction
+ * @brief   checks the input of an extraction, and hides cells of it
  */
 class ExtractionInput
 {

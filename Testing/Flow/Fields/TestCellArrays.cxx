@@ -572,13 +572,12 @@ void TestTypes(Check& check)
     { static_cast<vtkDataSet*>(image), static_cast<vtkDataSet*>(append->GetOutput()) })
   {
     std::string expected;
-    for (vtkSmartPointer<vtkDataArray> array :
-      { vtkSmartPointer<vtkDataArray>(vtkDoubleArray::New()),
-        vtkSmartPointer<vtkDataArray>(vtkIdTypeArray::New()),
-        vtkSmartPointer<vtkDataArray>(vtkBitArray::New()),
-        vtkSmartPointer<vtkDataArray>(vtkSOADataArrayTemplate<double>::New()) })
+    const std::vector<vtkSmartPointer<vtkDataArray>> arrays = {
+      vtkSmartPointer<vtkDoubleArray>::New(), vtkSmartPointer<vtkIdTypeArray>::New(),
+      vtkSmartPointer<vtkBitArray>::New(), vtkSmartPointer<vtkSOADataArrayTemplate<double>>::New()
+    };
+    for (vtkDataArray* array : arrays)
     {
-      array->UnRegister(nullptr);
       check.SetContext(std::string(data->GetClassName()) + ", " + array->GetClassName());
       array->SetName("marks");
       array->SetNumberOfComponents(1);

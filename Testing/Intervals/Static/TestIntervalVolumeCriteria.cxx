@@ -52,8 +52,13 @@ double ExtractedVolume(vtkUnstructuredGrid* mesh, const std::vector<Range>& rang
   filter->WarnOnEmptyOutputOff();
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->Update();
+  const long long number = static_cast<long long>(ranges.size());
+  check.Equal(filter->GetReport()->GetCount("Passes"),
+    operation == Filter::UNION ? 2 * number - 1 : number, "passes");
   vtkUnstructuredGrid* output = filter->GetOutput();
   check.That(IsValid(output, VTK_TETRA), "the output consists of tetrahedra");
+  check.That(output->GetNumberOfCells() == 0 || output->GetCellData()->HasArray("IntervalId"),
+    "IntervalId is passed");
   const auto isWithin = [&](const Range& range, vtkIdType point, double tolerance)
   {
     const double value = output->GetPointData()->GetArray(range.Array)->GetComponent(point, 0);
