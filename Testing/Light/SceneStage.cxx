@@ -124,7 +124,7 @@ SceneStage::SceneStage(int pixels, double size)
 
 SceneStage::~SceneStage()
 {
-  this->Pass->ReleaseGraphicsResources(this->Stage.GetWindow());
+  this->Stage.Release(this->Pass);
 }
 
 void SceneStage::LookAlong(const std::array<double, 3>& direction)

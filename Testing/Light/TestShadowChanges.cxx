@@ -108,7 +108,7 @@ public:
     this->Stage.SetCamera(this->Scene.Camera);
     this->Stage.SetLights(this->Scene.Lights);
     this->Stage.GetWindow()->SetSize(this->Scene.Size.data());
-    return ReadWindow(this->Stage.GetWindow());
+    return this->Stage.CaptureBytes();
   }
 
   /// Renders a coarse image and then all passes until the image is final. The next rendering shows
@@ -152,7 +152,7 @@ public:
     mapper->SetSliceSpacing(this->Mapper->GetSliceSpacing());
     VolumeStage stage(scene.Size);
     SetScene(stage, mapper, scene);
-    return ReadWindow(stage.GetWindow());
+    return stage.CaptureBytes();
   }
 
 private:

@@ -128,7 +128,7 @@ void TestTargets(Check& check)
     VolumeStage stage(scene.Size);
     SetScene(stage, mapper, scene);
     stage.GetRenderer()->SetBackground(background[0], background[1], background[2]);
-    const RgbaImage bytes = ReadWindow(stage.GetWindow());
+    const RgbaImage bytes = stage.CaptureBytes();
     // The image, the background and the blending each add one rounding error.
     ExpectSame(check, "8-bit target", bytes, Over(floats, background), 1.25 * Byte);
     for (int k = 0; k < 3; ++k)
@@ -266,14 +266,14 @@ void TestStereo(Check& check)
     SetScene(stage, mapper, scene);
     stage.GetWindow()->SetStereoType(types[side]);
     stage.GetWindow()->StereoRenderOn();
-    views[side] = ReadWindow(stage.GetWindow());
+    views[side] = stage.CaptureBytes();
     const Double3 volume = GetCentroid(views[side]);
     check.That(volume[2] > 10.0, "the volume is visible");
     stage.GetVolume()->VisibilityOff();
     const auto actor = MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.35);
     actor->GetProperty()->LightingOff();
     stage.AddActor(actor);
-    const Double3 surface = GetCentroid(ReadWindow(stage.GetWindow()));
+    const Double3 surface = GetCentroid(stage.CaptureBytes());
     check.Near(volume[0], surface[0], 0.3, "the horizontal position of the volume", 1.0);
     check.Near(volume[1], surface[1], 0.3, "the vertical position of the volume", 1.0);
     centers[side] = volume[0];
@@ -285,7 +285,7 @@ void TestStereo(Check& check)
   stage.GetWindow()->SetStereoTypeToAnaglyph();
   stage.GetWindow()->SetAnaglyphColorSaturation(0.0F);
   stage.GetWindow()->StereoRenderOn();
-  const RgbaImage anaglyph = ReadWindow(stage.GetWindow());
+  const RgbaImage anaglyph = stage.CaptureBytes();
   double red = 0.0;
   double cyan = 0.0;
   double sums[2] = { 0.0, 0.0 };

@@ -3,7 +3,7 @@
 // multisampling, kinds of shading, clipping, selection, other passes, released resources, and
 // unsupported actors.
 #include "Support/Checks/LargestError.h"
-#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -183,7 +183,7 @@ void TestViewports(Check& check)
   auto single = MakeStage();
   single->Stage.GetRenderer()->SetPass(single->Pass);
   single->Stage.GetRenderer()->SetBackgroundAlpha(1.0);
-  const RgbaImage expected = ReadWindow(single->Stage.GetWindow());
+  const RgbaImage expected = single->Stage.CaptureBytes();
 
   auto stage = MakeStage();
   vtkRenderWindow* window = stage->Stage.GetWindow();
@@ -229,7 +229,7 @@ double MeasureExcess(bool hasPass)
     auto stage = MakeStage();
     stage->Stage.GetWindow()->SetMultiSamples(8 * i);
     stage->Stage.GetRenderer()->SetPass(hasPass ? stage->Pass.Get() : nullptr);
-    images[i] = ReadWindow(stage->Stage.GetWindow());
+    images[i] = stage->Stage.CaptureBytes();
     stage->Stage.GetRenderer()->SetPass(nullptr);
   }
   double excess = 0.0;

@@ -42,7 +42,7 @@ int TestSoftShadowChanges(int, char*[])
   {
     Configure(mapper, scene);
     stage.SetLights(scene.Lights);
-    const RgbaImage found = ReadWindow(stage.GetWindow());
+    const RgbaImage found = stage.CaptureBytes();
     soft += mapper->GetReport()->GetNumber("SoftShadowPasses") > 0 ? 1 : 0;
 
     vtkNew<Mapper> other;
@@ -51,7 +51,7 @@ int TestSoftShadowChanges(int, char*[])
     other->SetLightBufferSize(mapper->GetLightBufferSize());
     VolumeStage fresh(scene.Size);
     SetScene(fresh, other, scene);
-    check.Near(CompareImages(found, ReadWindow(fresh.GetWindow())).Max, 0.0, 0.0,
+    check.Near(CompareImages(found, fresh.CaptureBytes()).Max, 0.0, 0.0,
       "image " + std::to_string(i), 1.0);
 
     const int size = pick(4);

@@ -282,7 +282,7 @@ void TestRenderers(Table& table)
     scene(false)(stage);
     stage.Stage.GetWindow()->SetMultiSamples(8 * i);
     stage.Stage.GetRenderer()->SetPass(stage.Pass);
-    images[i] = ReadWindow(stage.Stage.GetWindow());
+    images[i] = stage.Stage.CaptureBytes();
     stage.Stage.GetRenderer()->SetPass(nullptr);
   }
   table.Catalogue.Measure("translucent-samples", "eight samples per pixel",

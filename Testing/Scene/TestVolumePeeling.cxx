@@ -70,12 +70,12 @@ void TestMapper(Check& check, const std::string& name, vtkAbstractVolumeMapper* 
       renderer->RemoveActor(actor);
     }
     renderer->SetUseDepthPeelingForVolumes(false);
-    const RgbaImage expected = ReadWindow(stage.GetWindow());
+    const RgbaImage expected = stage.CaptureBytes();
     check.That(!observer->GetWarning() && !observer->GetError(), name + ": no warnings or errors");
     renderer->SetUseDepthPeelingForVolumes(true);
     for (int frame = 0; frame < 2; ++frame)
     {
-      const ImageError error = CompareImages(ReadWindow(stage.GetWindow()), expected);
+      const ImageError error = CompareImages(stage.CaptureBytes(), expected);
       const std::string context =
         name + (hasSphere ? ", with" : ", without") + " polygons, frame " + std::to_string(frame);
       std::cout << context << ": " << error << std::endl;
@@ -87,7 +87,7 @@ void TestMapper(Check& check, const std::string& name, vtkAbstractVolumeMapper* 
     }
   }
   renderer->RemoveAllViewProps();
-  const RgbaImage empty = ReadWindow(stage.GetWindow());
+  const RgbaImage empty = stage.CaptureBytes();
   check.Near(empty.At(Size[0] / 2, Size[1] / 2)[0], 0.3, 0.005,
     name + ": the window shows only the background", 1.0);
 }

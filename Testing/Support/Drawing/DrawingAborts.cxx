@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Drawing/DrawingAborts.h"
 
-#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCallbackCommand.h"

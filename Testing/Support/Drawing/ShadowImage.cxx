@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Drawing/ShadowImage.h"
 
-#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Images/VolumeStage.h"
 
 #include "vtkActor.h"
@@ -11,10 +10,7 @@
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
-#include "vtkNew.h"
-#include "vtkRenderWindow.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -65,20 +61,6 @@ RgbaImage DrawByMapper(vtkShadowedSliceMapper* mapper, const ShadowScene& scene)
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
   return stage.Capture();
-}
-
-RgbaImage ReadWindow(vtkRenderWindow* window)
-{
-  window->Render();
-  const int* size = window->GetSize();
-  RgbaImage image(size[0], size[1]);
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  for (const auto& [j, i, k] : AllIndices(size[1], size[0], 4))
-  {
-    image.At(i, j)[k] = k == 3 ? 1.0 : pixels->GetComponent(j * size[0] + i, k) / 255.0;
-  }
-  return image;
 }
 
 }

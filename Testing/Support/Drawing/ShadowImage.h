@@ -5,7 +5,6 @@
 #include "Support/Images/RgbaImage.h"
 #include "Support/Images/ShadowScene.h"
 
-class vtkRenderWindow;
 class vtkShadowedSliceMapper;
 
 namespace reference
@@ -22,9 +21,6 @@ void SetScene(VolumeStage& stage, vtkShadowedSliceMapper* mapper, const ShadowSc
 
 /// Configures the mapper and returns a floating-point rendering of the scene.
 RgbaImage DrawByMapper(vtkShadowedSliceMapper* mapper, const ShadowScene& scene);
-
-/// Renders the window and returns its 8-bit pixels, with alpha 1.
-RgbaImage ReadWindow(vtkRenderWindow* window);
 
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Images/VolumeStage.h"
 
+#include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Images/TestWindow.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -19,6 +20,7 @@
 #include "vtkSequencePass.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkVolumetricPass.h"
@@ -29,7 +31,31 @@
 namespace reference
 {
 
+namespace
+{
+/// Windows of former stages, with their compiled shaders. The list is never freed, since VTK cannot
+/// close windows after the end of main().
+std::vector<vtkSmartPointer<vtkRenderWindow>>& GetFreeWindows()
+{
+  static auto* const windows = new std::vector<vtkSmartPointer<vtkRenderWindow>>;
+  return *windows;
+}
+
+vtkSmartPointer<vtkRenderWindow> TakeWindow()
+{
+  auto& windows = GetFreeWindows();
+  if (windows.empty())
+  {
+    return vtkSmartPointer<vtkRenderWindow>::New();
+  }
+  const vtkSmartPointer<vtkRenderWindow> window = windows.back();
+  windows.pop_back();
+  return window;
+}
+}
+
 VolumeStage::VolumeStage(const std::array<int, 2>& size)
+  : Window(TakeWindow())
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(0);
@@ -56,7 +82,12 @@ VolumeStage::VolumeStage(const std::array<int, 2>& size)
 
 VolumeStage::~VolumeStage()
 {
-  this->Pass->ReleaseGraphicsResources(this->Window);
+  this->Release(this->Pass);
+  this->Window->RemoveRenderer(this->Renderer);
+  if (!this->IsWindowShown)
+  {
+    GetFreeWindows().push_back(this->Window);
+  }
 }
 
 void VolumeStage::SetVolume(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property)
@@ -107,6 +138,12 @@ void VolumeStage::SetPass(vtkRenderPass* pass)
   this->Pass->SetDelegatePass(pass);
 }
 
+void VolumeStage::Release(vtkRenderPass* pass)
+{
+  this->Window->MakeCurrent();
+  pass->ReleaseGraphicsResources(this->Window);
+}
+
 vtkRenderer* VolumeStage::GetRenderer()
 {
   return this->Renderer;
@@ -114,6 +151,7 @@ vtkRenderer* VolumeStage::GetRenderer()
 
 vtkRenderWindow* VolumeStage::GetWindow()
 {
+  this->IsWindowShown = true;
   return this->Window;
 }
 
@@ -152,6 +190,11 @@ RgbaImage VolumeStage::Capture(int frames)
   return image;
 }
 
+RgbaImage VolumeStage::CaptureBytes()
+{
+  return ReadWindow(this->Window);
+}
+
 std::string VolumeStage::GetDevice()
 {
   this->Render();
@@ -167,6 +210,20 @@ std::string VolumeStage::GetDevice()
     }
   }
   return {};
+}
+
+RgbaImage ReadWindow(vtkRenderWindow* window)
+{
+  window->Render();
+  const int* size = window->GetSize();
+  RgbaImage image(size[0], size[1]);
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  for (const auto& [j, i, k] : AllIndices(size[1], size[0], 4))
+  {
+    image.At(i, j)[k] = k == 3 ? 1.0 : pixels->GetComponent(j * size[0] + i, k) / 255.0;
+  }
+  return image;
 }
 
 }

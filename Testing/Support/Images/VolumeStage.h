@@ -25,6 +25,9 @@ class vtkVolumeProperty;
 namespace reference
 {
 
+/// Renders the window and returns its 8-bit pixels, with alpha 1.
+RgbaImage ReadWindow(vtkRenderWindow* window);
+
 /**
  * @class   VolumeStage
  * @brief   off-screen window with one volume on a black, transparent background
@@ -53,7 +56,11 @@ public:
   /// Sets the pass that Capture() renders with. The default renders lights, opaque props and
   /// volumes in sequence.
   void SetPass(vtkRenderPass* pass);
+  /// Releases the OpenGL objects of a pass that SetPass() replaced.
+  void Release(vtkRenderPass* pass);
   vtkRenderer* GetRenderer();
+  /// Returns the window, which no other stage uses afterwards, since the caller can change it. The
+  /// windows of other stages are used again, since a shader is compiled once for a window.
   vtkRenderWindow* GetWindow();
 
   /// Renders to the window's framebuffer and waits until the frame is complete.
@@ -63,11 +70,14 @@ public:
   /// first frame. After Render(), that mapper draws over its previous frame, so use a separate
   /// stage and mapper for Capture().
   RgbaImage Capture(int frames = 1);
+  /// Renders to the window's framebuffer and returns its 8-bit pixels, with alpha 1.
+  RgbaImage CaptureBytes();
   /// Renders a frame and returns the OpenGL renderer string.
   std::string GetDevice();
 
 private:
-  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  bool IsWindowShown = false;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkFramebufferPass> Pass;
