@@ -8,13 +8,13 @@
 #include <vtkImplicitFlowField.h>
 #include <vtkInflowMapping.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkStreamlineTexture.h>
+#include <vtkStreamSurfaceMapper.h>
 #include <vtkStreamSurfaceParameters.h>
+#include <vtkStreamlineTexture.h>
 #include <vtkTerminationCylinder.h>
 
 int main()
@@ -48,16 +48,13 @@ int main()
   coordinates->SetMapping(height);
   coordinates->AddTerminationSurface(inflow, 0);
   coordinates->SetLengthScale(1 / (2 * 3.14159 * 0.9));
-  vtkNew<vtkStreamlineTexture> stripes;
-  stripes->SetNumberOfLines(256);
-  stripes->SetTexelsPerLine(64);
-  stripes->SetLineColor(0.1, 0.1, 0.2);
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkStreamSurfaceMapper> mapper;
   mapper->SetInputConnection(coordinates->GetOutputPort());
   mapper->ScalarVisibilityOff();
+  mapper->GetStreamlineTexture()->SetTexelsPerLine(64);
+  mapper->GetStreamlineTexture()->SetLineColor(0.1, 0.1, 0.2);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->SetTexture(stripes);
   actor->GetProperty()->SetColor(0.93, 0.69, 0.26);
 
   vtkNew<vtkRenderer> overview;

@@ -4,10 +4,9 @@
 import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingOpenGL2
 from interlume import (
-    vtkAnalyticFlowSource, vtkFlowVolume, vtkImplicitFlowField, vtkInflowMapping, vtkStreamlineTexture,
+    vtkAnalyticFlowSource, vtkFlowVolume, vtkImplicitFlowField, vtkInflowMapping, vtkStreamSurfaceMapper,
     vtkStreamSurfaceParameters, vtkTerminationCylinder)
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
 tornado = vtkAnalyticFlowSource()
 tornado.SetField(vtkAnalyticFlowSource.TORNADO)
@@ -38,16 +37,14 @@ coordinates.SetInputConnection(stream.GetOutputPort(1))
 coordinates.SetMapping(height)
 coordinates.AddTerminationSurface(inflow, 0)
 coordinates.SetLengthScale(1 / (2 * 3.14159 * 0.9))
-stripes = vtkStreamlineTexture()
-stripes.SetNumberOfLines(256)
-stripes.SetTexelsPerLine(64)
-stripes.SetLineColor(0.1, 0.1, 0.2)
-mapper = vtkPolyDataMapper()
+mapper = vtkStreamSurfaceMapper()
 mapper.SetInputConnection(coordinates.GetOutputPort())
 mapper.ScalarVisibilityOff()
+stripes = mapper.GetStreamlineTexture()
+stripes.SetTexelsPerLine(64)
+stripes.SetLineColor(0.1, 0.1, 0.2)
 actor = vtkActor()
 actor.SetMapper(mapper)
-actor.SetTexture(stripes)
 actor.GetProperty().SetColor(0.93, 0.69, 0.26)
 
 overview = vtkRenderer()

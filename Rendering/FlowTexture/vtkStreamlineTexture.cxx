@@ -12,6 +12,9 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkStreamlineTexture);
@@ -19,7 +22,6 @@ vtkStandardNewMacro(vtkStreamlineTexture);
 namespace
 {
 constexpr int MaximumLines = 4096;
-constexpr const char* TimelinesName = "timelines";
 }
 
 vtkStreamlineTexture::vtkStreamlineTexture()
@@ -44,6 +46,20 @@ void vtkStreamlineTexture::SetNumberOfLines(int number)
   }
 }
 
+void vtkStreamlineTexture::SetOffset(double offset)
+{
+  if (!std::isfinite(offset))
+  {
+    vtkErrorMacro("Offset " << offset << " is not finite and was ignored.");
+    return;
+  }
+  if (this->Offset != offset)
+  {
+    this->Offset = offset;
+    this->Modified();
+  }
+}
+
 int vtkStreamlineTexture::GetNumberOfLevels() const
 {
   interlume::StripePyramid pyramid;
@@ -56,17 +72,27 @@ int vtkStreamlineTexture::IsTranslucent()
   return this->BackgroundColor[3] < 1.0 ? 1 : 0;
 }
 
-void vtkStreamlineTexture::AddTo(
-  vtkActor* actor, vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
+void vtkStreamlineTexture::AddTo(vtkActor* actor, vtkStreamlineTexture* streamlines,
+  vtkStreamlineTexture* timelines, vtkTexture* below)
 {
-  actor->GetProperty()->RemoveTexture(TimelinesName);
-  if (streamlines && timelines)
+  vtkTexture* lowest = below;
+  const std::array<std::pair<const char*, vtkStreamlineTexture*>, 2> lines = { {
+    { "streamlines", streamlines },
+    { "timelines", timelines },
+  } };
+  for (const auto& [name, texture] : lines)
   {
-    // In VTK's REPLACE mode, the color of the second texture is composited over the first.
-    timelines->SetBlendingMode(VTK_TEXTURE_BLENDING_MODE_REPLACE);
-    actor->GetProperty()->SetTexture(TimelinesName, timelines);
+    actor->GetProperty()->RemoveTexture(name);
+    if (texture && lowest)
+    {
+      actor->GetProperty()->SetTexture(name, texture);
+    }
+    else if (texture)
+    {
+      lowest = texture;
+    }
   }
-  actor->SetTexture(streamlines ? streamlines : timelines);
+  actor->SetTexture(lowest);
 }
 
 void vtkStreamlineTexture::Render(vtkRenderer* renderer)
@@ -95,6 +121,8 @@ void vtkStreamlineTexture::Load(vtkRenderer* renderer)
       this->TextureObject = vtkTextureObject::New();
     }
     this->TextureObject->SetContext(window);
+    this->BlendingMode = this->IsTranslucent() ? VTK_TEXTURE_BLENDING_MODE_REPLACE
+                                               : VTK_TEXTURE_BLENDING_MODE_MODULATE;
     this->Upload();
     this->LoadTime.Modified();
   }
@@ -107,6 +135,7 @@ void vtkStreamlineTexture::Upload()
   pyramid.NumberOfLines = this->NumberOfLines;
   pyramid.TexelsPerLine = this->TexelsPerLine;
   pyramid.LineWidth = this->LineWidth;
+  pyramid.Offset = this->Offset;
   std::copy_n(this->LineColor, 3, pyramid.Line.begin());
   std::copy_n(this->BackgroundColor, 4, pyramid.Background.begin());
   GLint longest = 0;
@@ -160,6 +189,7 @@ void vtkStreamlineTexture::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Direction: " << (this->Direction == T ? "T" : "S") << "\n";
   os << indent << "NumberOfLines: " << this->NumberOfLines << "\n";
   os << indent << "LineWidth: " << this->LineWidth << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "TexelsPerLine: " << this->TexelsPerLine << "\n";
   os << indent << "LineColor: " << this->LineColor[0] << " " << this->LineColor[1] << " "
      << this->LineColor[2] << "\n";

@@ -27,14 +27,17 @@ class vtkActor;
  * multiplied, a limitation of vtkOpenGLPolyDataMapper. The surface needs active texture coordinates
  * with one or two components.
  *
- * A **grid** of streamlines and timelines requires two textures, see AddTo. In a single texture
- * both directions would share one mipmap level. Anisotropic filtering is always off, because it
- * would average lines to gray.
+ * A **grid** of streamlines and timelines requires two textures, see AddTo and
+ * vtkStreamSurfaceMapper. In a single texture both directions would share one mipmap level.
+ * Anisotropic filtering is always off, because it would average lines to gray.
+ *
+ * Over another texture, lines with a translucent background are composited, and others multiply its
+ * colors. When the texture is drawn, it sets its blending mode accordingly.
  *
  * Levels are uploaded when the texture is first drawn, and again after ReleaseGraphicsResources, or
  * if a setting or the window has changed. Use a texture in one window at a time.
  *
- * @sa vtkFlowVolume vtkFlowLIC
+ * @sa vtkStreamSurfaceMapper vtkStreamSurfaceParameters vtkFlowLIC
  */
 class INTERLUMEFLOWTEXTURE_EXPORT vtkStreamlineTexture : public vtkOpenGLTexture
 {
@@ -62,9 +65,9 @@ public:
   ///@{
   /**
    * Set/Get the number of lines over texture coordinates 0 to 1 in the finest level. One line is at
-   * 0. Default 256. Valid: powers of two from 1 to 4096; other values are an error and are ignored.
-   * If the texture exceeds OpenGL's size limit, drawing it reports an error and omits the finest
-   * levels.
+   * Offset. Default 256. Valid: powers of two from 1 to 4096; other values are an error and are
+   * ignored. If the texture exceeds OpenGL's size limit, drawing it reports an error and omits the
+   * finest levels.
    */
   void SetNumberOfLines(int number);
   vtkGetMacro(NumberOfLines, int);
@@ -77,6 +80,16 @@ public:
    */
   vtkSetClampMacro(LineWidth, double, 0.0, 1.0);
   vtkGetMacro(LineWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the texture coordinate of one line; the others follow from it. Change it to move lines,
+   * for instance timelines with the flow. Default 0. Valid: any finite value; others are an error
+   * and are ignored.
+   */
+  void SetOffset(double offset);
+  vtkGetMacro(Offset, double);
   ///@}
 
   ///@{
@@ -107,12 +120,12 @@ public:
   ///@}
 
   /**
-   * Adds a grid of lines to \a actor. \a streamlines becomes the actor's texture. \a timelines is
-   * composited over it, as texture `timelines` of the actor's property; set its background opacity
-   * to 0. Either argument may be null.
+   * Sets the textures of \a actor: \a below, with \a streamlines and \a timelines over it. Each
+   * argument may be null. The lowest of them becomes the actor's texture, and the others become
+   * textures `streamlines` and `timelines` of its property.
    */
-  static void AddTo(
-    vtkActor* actor, vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines);
+  static void AddTo(vtkActor* actor, vtkStreamlineTexture* streamlines,
+    vtkStreamlineTexture* timelines, vtkTexture* below = nullptr);
 
   /// Returns the number of uploads of this texture.
   vtkGetMacro(NumberOfUploads, int);
@@ -140,6 +153,7 @@ private:
   int Direction = S;
   int NumberOfLines = 256;
   double LineWidth = 0.25;
+  double Offset = 0.0;
   int TexelsPerLine = 16;
   double LineColor[3] = { 0.0, 0.0, 0.0 };
   double BackgroundColor[4] = { 1.0, 1.0, 1.0, 1.0 };

@@ -1,112 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkStreamlineTexture: contents of mipmap levels, number of visible lines as a function of
 // distance, contrast, grids, colors, uploads.
+#include "StripedQuad.h"
 #include "Support/Checks/LargestError.h"
-#include "Support/Pages/StabilityCase.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
+#include "Support/Pages/StabilityCase.h"
 
 #include "vtkStreamlineTexture.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "Loader/OpenGLFunctions.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkPlaneSource.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace
 {
 
 using namespace reference;
 
-constexpr int WINDOW = 512;
 // Render targets and texture filtering of graphics cards have a precision of 8 bits.
 constexpr double TOLERANCE = 2.0 / 255.0;
-
-/// An unlit quad with texture coordinates from 0 to the given maxima. Initially it fills the
-/// window.
-class Quad
-{
-public:
-  Quad(double sCoordinate, double tCoordinate)
-  {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-0.5, -0.5, 0.0);
-    plane->SetPoint1(0.5, -0.5, 0.0);
-    plane->SetPoint2(-0.5, 0.5, 0.0);
-    plane->Update();
-    this->Data = plane->GetOutput();
-    vtkDataArray* coordinates = this->Data->GetPointData()->GetTCoords();
-    for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
-    {
-      coordinates->SetTuple2(i, sCoordinate * coordinates->GetComponent(i, 0),
-        tCoordinate * coordinates->GetComponent(i, 1));
-    }
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(this->Data);
-    this->Actor->SetMapper(mapper);
-    this->Actor->GetProperty()->LightingOff();
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Window->OffScreenRenderingOn();
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(WINDOW, WINDOW);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
-    this->SetPixels(WINDOW);
-  }
-
-  /// Sets the side length of the quad in pixels.
-  void SetPixels(double pixels)
-  {
-    this->Renderer->GetActiveCamera()->SetParallelScale(0.5 * WINDOW / pixels);
-    this->Renderer->ResetCameraClippingRange();
-  }
-
-  using Row = std::vector<std::array<double, 4>>;
-  /// Renders, and returns the pixels of the center row or column with values in [0, 1].
-  Row Draw(bool isColumn = false)
-  {
-    this->Window->Render();
-    const int center = WINDOW / 2;
-    vtkNew<vtkFloatArray> pixels;
-    this->Window->GetRGBAPixelData(isColumn ? center : 0, isColumn ? 0 : center,
-      isColumn ? center : WINDOW - 1, isColumn ? WINDOW - 1 : center, 0, pixels);
-    Row row;
-    for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
-    {
-      std::array<double, 4> pixel;
-      pixels->GetTuple(i, pixel.data());
-      row.push_back(pixel);
-    }
-    return row;
-  }
-
-  vtkSmartPointer<vtkPolyData> Data;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
-};
 
 struct Level
 {
@@ -115,7 +35,7 @@ struct Level
   std::vector<unsigned char> Texels;
 };
 
-std::vector<Level> ReadLevels(Quad& quad, vtkStreamlineTexture* texture, int count)
+std::vector<Level> ReadLevels(StripedQuad& quad, vtkStreamlineTexture* texture, int count)
 {
   quad.Window->MakeCurrent();
   texture->GetTextureObject()->Activate();
@@ -134,20 +54,22 @@ std::vector<Level> ReadLevels(Quad& quad, vtkStreamlineTexture* texture, int cou
 }
 
 /// Returns the fraction of texel \a i covered by lines at multiples of \a period, by brute force.
-double GetCoverage(int i, int period, double width)
+/// Lines are shifted by \a shift periods.
+double GetCoverage(int i, int period, double width, double shift)
 {
   constexpr int parts = 1000;
   int covered = 0;
   for (int part = 0; part < parts; ++part)
   {
-    const double position = (i + (part + 0.5) / parts) / period;
+    const double position = (i + (part + 0.5) / parts) / period - shift;
     covered += std::abs(position - std::round(position)) < 0.5 * width ? 1 : 0;
   }
   return static_cast<double>(covered) / parts;
 }
 
 /// Compares every mipmap level with the exact coverage of its texels by lines.
-void TestLevels(Check& check, int lines, int texels, double width, int direction)
+void TestLevels(
+  Check& check, int lines, int texels, double width, int direction, double offset = 0.0)
 {
   check.SetContext("levels of " + std::to_string(lines) + " lines of " + std::to_string(texels) +
     " texels, width " + std::to_string(width) + ": ");
@@ -160,7 +82,8 @@ void TestLevels(Check& check, int lines, int texels, double width, int direction
   texture->SetLineColor(line);
   texture->SetBackgroundColor(background);
   texture->SetDirection(direction);
-  Quad quad(1.0, 1.0);
+  texture->SetOffset(offset);
+  StripedQuad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
   quad.Draw();
   const int count = static_cast<int>(std::lround(std::log2(lines))) + 1;
@@ -177,7 +100,7 @@ void TestLevels(Check& check, int lines, int texels, double width, int direction
     double largest = 0.0;
     for (int i = 0; i < length; ++i)
     {
-      const double coverage = GetCoverage(i, texels, width);
+      const double coverage = GetCoverage(i, texels, width, offset * (lines >> k));
       for (int channel = 0; channel < 4; ++channel)
       {
         const double target = channel < 3 ? line[channel] : 1.0;
@@ -190,28 +113,6 @@ void TestLevels(Check& check, int lines, int texels, double width, int direction
   }
 }
 
-/// Positions at which a row of pixels changes from bright to dark, and the row's range of values.
-struct Lines
-{
-  std::vector<int> Positions;
-  double Darkest = 1.0;
-  double Lightest = 0.0;
-};
-Lines FindLines(const Quad::Row& row, int first, int last)
-{
-  Lines lines;
-  for (int i = first; i <= last; ++i)
-  {
-    lines.Darkest = std::min(lines.Darkest, row[i][0]);
-    lines.Lightest = std::max(lines.Lightest, row[i][0]);
-    if (i > first && row[i - 1][0] >= 0.5 && row[i][0] < 0.5)
-    {
-      lines.Positions.push_back(i);
-    }
-  }
-  return lines;
-}
-
 /// Checks the distance between visible lines in pixels for different sizes of the quad.
 void TestDistances(StabilityCatalogue& catalogue, int direction)
 {
@@ -219,7 +120,7 @@ void TestDistances(StabilityCatalogue& catalogue, int direction)
   texture->SetNumberOfLines(1024);
   texture->SetDirection(direction);
   const bool isColumn = direction == vtkStreamlineTexture::T;
-  Quad quad(1.0, 1.0);
+  StripedQuad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
   double before = 0.0;
   std::vector<std::pair<double, double>> all;
@@ -258,14 +159,14 @@ void TestFarAway(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkStreamlineTexture> texture;
   texture->SetTexelsPerLine(8);
-  Quad quad(1.0, 1.0);
+  StripedQuad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
   quad.SetPixels(16.0);
   const Lines lines = FindLines(quad.Draw(), WINDOW / 2 - 8, WINDOW / 2 + 7);
   catalogue.Measure("far-away", "256 lines over 16 pixels", "loss of contrast",
     1.0 - lines.Lightest + lines.Darkest, 0.5);
   // If the texture is repeated 64 times, every period shows one line.
-  Quad repeated(64.0, 1.0);
+  StripedQuad repeated(64.0, 1.0);
   repeated.Actor->SetTexture(texture);
   const Lines all = FindLines(repeated.Draw(), 0, WINDOW - 1);
   catalogue.Measure("repeated", "texture coordinates to 64 over 512 pixels",
@@ -283,7 +184,7 @@ void TestGrid(Check& check)
   vtkNew<vtkStreamlineTexture> timelines;
   timelines->SetDirection(vtkStreamlineTexture::T);
   timelines->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
-  Quad quad(0.5, 8.0);
+  StripedQuad quad(0.5, 8.0);
   vtkStreamlineTexture::AddTo(quad.Actor, streamlines, timelines);
   for (const bool isColumn : { false, true })
   {
@@ -306,7 +207,7 @@ void TestGrid(Check& check)
 void TestColors(Check& check)
 {
   check.SetContext("colors: ");
-  Quad quad(1.0, 1.0);
+  StripedQuad quad(1.0, 1.0);
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < quad.Data->GetNumberOfPoints(); ++i)
@@ -323,7 +224,7 @@ void TestColors(Check& check)
   const auto expect = [&](const std::string& name, const std::array<double, 3>& line,
                         const std::array<double, 3>& between)
   {
-    const Quad::Row row = quad.Draw();
+    const StripedQuad::Row row = quad.Draw();
     for (int channel = 0; channel < 3; ++channel)
     {
       check.Near(row[64][channel], line[channel], TOLERANCE, name + ", line", 1.0);
@@ -348,7 +249,7 @@ void TestUploads(Check& check)
 {
   check.SetContext("uploads: ");
   vtkNew<vtkStreamlineTexture> texture;
-  Quad quad(1.0, 1.0);
+  StripedQuad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
   check.Equal(texture->GetNumberOfUploads(), 0, "no upload before drawing");
   quad.Draw();
@@ -357,7 +258,7 @@ void TestUploads(Check& check)
   check.Equal(texture->GetNumberOfUploads(), 1, "one upload for two images");
   texture->SetLineWidth(0.5);
   texture->SetTexelsPerLine(8);
-  const Quad::Row wide = quad.Draw();
+  const StripedQuad::Row wide = quad.Draw();
   quad.Draw();
   check.Equal(texture->GetNumberOfUploads(), 2, "after a change");
   texture->SetLineWidth(0.5);
@@ -369,7 +270,7 @@ void TestUploads(Check& check)
   check.That(quad.Draw() == wide, "the image is equal after a release");
   check.Equal(texture->GetNumberOfUploads(), 3, "one upload after a release");
   // The texture is used in another window.
-  Quad other(1.0, 1.0);
+  StripedQuad other(1.0, 1.0);
   other.Actor->SetTexture(texture);
   other.SetPixels(100.0);
   quad.Actor->SetTexture(nullptr);
@@ -396,6 +297,14 @@ void TestSettings(StabilityCatalogue& catalogue)
       errors.find("NumberOfLines " + text) != std::string::npos &&
         texture->GetNumberOfLines() == 256);
   }
+  for (const double offset :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    const std::string errors = CaptureErrors(texture, [&]() { texture->SetOffset(offset); });
+    catalogue.Check("offset-" + std::to_string(offset), "an offset of " + std::to_string(offset),
+      "an error, and an offset of 0 remains", errors,
+      errors.find("is not finite") != std::string::npos && texture->GetOffset() == 0.0);
+  }
   texture->SetNumberOfLines(1);
   texture->SetTexelsPerLine(1);
   texture->SetLineWidth(-1.0);
@@ -405,9 +314,9 @@ void TestSettings(StabilityCatalogue& catalogue)
       ", " + std::to_string(texture->GetDirection()),
     texture->GetTexelsPerLine() == 2 && texture->GetLineWidth() == 0.0 &&
       texture->GetDirection() == vtkStreamlineTexture::T);
-  Quad quad(1.0, 1.0);
+  StripedQuad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
-  Quad::Row row;
+  StripedQuad::Row row;
   const auto draw = [&]() { row = quad.Draw(); };
   const bool isSilent = CaptureErrors(texture, draw).empty();
   catalogue.Measure("width-0", "one line of zero width", "fraction of light that is lost",
@@ -444,6 +353,8 @@ int TestStreamlineTexture(int argc, char* argv[])
   TestLevels(check, 32, 8, 0.3, vtkStreamlineTexture::T);
   TestLevels(check, 1, 2, 1.0, vtkStreamlineTexture::S);
   TestLevels(check, 2, 7, 0.1, vtkStreamlineTexture::S);
+  TestLevels(check, 64, 16, 0.25, vtkStreamlineTexture::T, 0.013);
+  TestLevels(check, 8, 5, 1.0, vtkStreamlineTexture::S, -3.7);
   TestGrid(check);
   TestColors(check);
   TestUploads(check);

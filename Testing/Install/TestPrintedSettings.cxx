@@ -26,6 +26,7 @@
 #include "vtkSpatialTurbulence.h"
 #include "vtkStreamSurfaceParameters.h"
 #include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkStreamSurfaceMapper.h"
 #include "vtkStreamlineTexture.h"
 #include "vtkTaperedCylinderSource.h"
 #include "vtkTemporalColorTransferFunction.h"
@@ -99,6 +100,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkSpatialPrimitive>(),
     Make<vtkSpatialTurbulence>(),
     Make<vtkStreamSurfaceParameters>(),
+    Make<vtkStreamSurfaceMapper>(),
     Make<vtkStreamlineTexture>(),
     Make<vtkImplicitFlowVolumeMapper>(),
     Make<vtkTaperedCylinderSource>(),

@@ -17,13 +17,13 @@ int StripePyramid::GetNumberOfLevels() const
   return levels;
 }
 
-double StripePyramid::GetCoverage(int texel) const
+double StripePyramid::GetCoveredLength(double position) const
 {
-  // Width, in texels, of the half line at each end of a period.
-  const double half = 0.5 * this->LineWidth * this->TexelsPerLine;
-  const double left = std::clamp(half - texel, 0.0, 1.0);
-  const double right = std::clamp(half - (this->TexelsPerLine - 1 - texel), 0.0, 1.0);
-  return std::min(left + right, 1.0);
+  // A period begins and ends with half a line.
+  const double half = 0.5 * this->LineWidth;
+  const double period = std::floor(position);
+  const double rest = position - period;
+  return period * this->LineWidth + std::min(rest, half) + std::max(rest - (1.0 - half), 0.0);
 }
 
 std::vector<unsigned char> StripePyramid::GetTexels(int level) const
@@ -35,11 +35,15 @@ std::vector<unsigned char> StripePyramid::GetTexels(int level) const
   {
     std::copy(this->Line.begin(), this->Line.begin() + 3, background.begin());
   }
+  const double shift = this->Offset * (this->NumberOfLines >> level);
   std::vector<unsigned char> texels;
   texels.reserve(4 * static_cast<std::size_t>(this->GetLength(level)));
   for (int i = 0; i < this->GetLength(level); ++i)
   {
-    const double coverage = this->GetCoverage(i % this->TexelsPerLine);
+    const double position = static_cast<double>(i) / this->TexelsPerLine - shift;
+    const double coverage = this->TexelsPerLine *
+      (this->GetCoveredLength(position + 1.0 / this->TexelsPerLine) -
+        this->GetCoveredLength(position));
     for (std::size_t channel = 0; channel < 4; ++channel)
     {
       const double value =

@@ -13,8 +13,8 @@ namespace interlume
  * @brief   mipmap levels of a one-dimensional stripe texture, not averaged from finer levels
  *
  * Level k has NumberOfLines / 2^k periods of TexelsPerLine texels; the last level has one period.
- * Lines are centered at the ends of periods, so each line of a level lies over a line of the next
- * finer level. A texel blends the two colors by the fraction that the line covers.
+ * One line of each level is centered at Offset, so each line of a level lies over a line of the
+ * next finer level. A texel blends the two colors by the fraction that the line covers.
  */
 class StripePyramid
 {
@@ -26,6 +26,8 @@ public:
   int TexelsPerLine = 16;
   /// Width of a line as a fraction of the period.
   double LineWidth = 0.25;
+  /// Texture coordinate of one line.
+  double Offset = 0.0;
   /// Colors as red, green, blue and opacity, 0 to 1.
   Color Line{ { 0.0, 0.0, 0.0, 1.0 } };
   Color Background{ { 1.0, 1.0, 1.0, 1.0 } };
@@ -37,7 +39,8 @@ public:
   std::vector<unsigned char> GetTexels(int level) const;
 
 private:
-  double GetCoverage(int texel) const;
+  /// Returns the length of the parts of lines between 0 and \a position, in periods.
+  double GetCoveredLength(double position) const;
 };
 
 }

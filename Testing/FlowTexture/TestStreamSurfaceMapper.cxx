@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkStreamSurfaceMapper: number and positions of lines on the screen, images equal to those of
+// vtkPolyDataMapper with the same textures, combination with textures and colors, changes, errors.
+#include "StripedQuad.h"
+#include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
+#include "Support/Checks/ReferenceRandom.h"
+
+#include "vtkStreamSurfaceMapper.h"
+#include "vtkStreamlineTexture.h"
+
+#include "vtkImageData.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace
+{
+
+using namespace reference;
+
+using Mapper = vtkSmartPointer<vtkStreamSurfaceMapper>;
+
+/// A quad drawn by a mapper of stream surfaces.
+struct Surface
+{
+  explicit Surface(double s = 1.0, double t = 1.0)
+    : Quad(s, t, this->Draws)
+  {
+  }
+  Mapper Draws = Mapper::New();
+  StripedQuad Quad;
+};
+
+/// At distances of lines that are a level of the texture, the number of lines is known.
+void TestNumberOfLines(Check& check)
+{
+  check.SetContext("number of lines");
+  for (const bool isColumn : { false, true })
+  {
+    Surface surface;
+    surface.Draws->SetStreamlines(!isColumn);
+    surface.Draws->SetTimelines(isColumn);
+    for (const int pixels : { 64, 128, 256, 512, 1024 })
+    {
+      surface.Quad.SetPixels(pixels);
+      const int seen = std::min(pixels, WINDOW);
+      // The search begins and ends between two lines.
+      const int first = (WINDOW - seen) / 2 + 8;
+      const Lines lines = FindLines(surface.Quad.Draw(isColumn), first, first + seen - 16);
+      check.Equal(static_cast<long long>(lines.Positions.size()), seen / 16 - 1,
+        std::string(isColumn ? "timelines" : "streamlines") + " over " + std::to_string(pixels) +
+          " pixels");
+      check.That(lines.Lightest > 0.99 && lines.Darkest < 0.01, "contrast");
+    }
+  }
+}
+
+/// A change of the offset moves all lines by this texture coordinate.
+void TestOffset(Check& check)
+{
+  check.SetContext("offset");
+  Surface surface;
+  surface.Draws->StreamlinesOff();
+  surface.Draws->TimelinesOn();
+  vtkStreamlineTexture* lines = surface.Draws->GetTimelineTexture();
+  lines->SetNumberOfLines(8);
+  const StripedQuad::Row before = surface.Quad.Draw(true);
+  lines->SetOffset(24.0 / WINDOW);
+  const StripedQuad::Row after = surface.Quad.Draw(true);
+  double error = 0.0;
+  for (int i = 0; i < WINDOW; ++i)
+  {
+    error = std::max(error, std::abs(after[(i + 24) % WINDOW][0] - before[i][0]));
+  }
+  check.Near(error, 0.0, 1.5 / 255.0, "lines of a shifted image", 1.0);
+  check.That(after != before, "lines move");
+  lines->SetOffset(-5.0 / 8.0);
+  check.That(surface.Quad.Draw(true) == before, "an offset by whole distances changes nothing");
+}
+
+void SetLines(vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
+{
+  streamlines->SetNumberOfLines(32);
+  streamlines->SetLineColor(0.2, 0.1, 0.4);
+  timelines->SetNumberOfLines(8);
+  timelines->SetDirection(vtkStreamlineTexture::T);
+  timelines->SetLineColor(0.8, 0.2, 0.1);
+  timelines->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
+}
+
+void AddColors(StripedQuad& quad)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < quad.Data->GetNumberOfPoints(); ++i)
+  {
+    colors->InsertNextTuple3(51.0 + 40.0 * i, 204.0, 102.0);
+  }
+  quad.Data->GetPointData()->SetScalars(colors);
+}
+
+/// Images equal those of the same textures on an actor with VTK's mapper.
+void TestImages(Check& check)
+{
+  for (const bool hasTimelines : { false, true })
+  {
+    for (const double pixels : { 100.0, 512.0, 2000.0 })
+    {
+      check.SetContext(hasTimelines ? "image of a grid" : "image of streamlines");
+      Surface surface(0.7, 3.0);
+      SetLines(surface.Draws->GetStreamlineTexture(), surface.Draws->GetTimelineTexture());
+      surface.Draws->SetTimelines(hasTimelines);
+      AddColors(surface.Quad);
+      surface.Quad.SetPixels(pixels);
+      StripedQuad quad(0.7, 3.0);
+      vtkNew<vtkStreamlineTexture> streamlines;
+      vtkNew<vtkStreamlineTexture> timelines;
+      SetLines(streamlines, timelines);
+      vtkStreamlineTexture::AddTo(
+        quad.Actor, streamlines, hasTimelines ? timelines.GetPointer() : nullptr);
+      AddColors(quad);
+      quad.SetPixels(pixels);
+      check.That(surface.Quad.Draw() == quad.Draw(), "a row");
+      check.That(surface.Quad.Draw(true) == quad.Draw(true), "a column");
+    }
+  }
+}
+
+/// Lines multiply an image on the surface, or are composited over it.
+void TestTexture(Check& check)
+{
+  check.SetContext("texture of the actor");
+  Surface surface;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 12; ++i)
+  {
+    values[i] = static_cast<unsigned char>(i % 3 == 1 ? 204 : 102);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  surface.Quad.Actor->SetTexture(texture);
+  vtkStreamlineTexture* lines = surface.Draws->GetStreamlineTexture();
+  lines->SetNumberOfLines(8);
+  lines->SetLineWidth(0.5);
+  lines->SetLineColor(1.0, 0.5, 0.5);
+  const auto expect = [&](const char* name, double line, double between)
+  {
+    const StripedQuad::Row row = surface.Quad.Draw();
+    // Lines are 64 pixels apart and 32 wide, starting at the left.
+    check.Near(row[64][1], line, 2.0 / 255.0, std::string(name) + ", line", 1.0);
+    check.Near(row[96][1], between, 2.0 / 255.0, std::string(name) + ", between", 1.0);
+  };
+  expect("white background", 0.4, 0.8);
+  lines->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
+  expect("no background", 0.5, 0.8);
+  lines->SetBackgroundColor(1.0, 0.5, 1.0, 1.0);
+  expect("colored background", 0.4, 0.4);
+}
+
+void TestTranslucent(Check& check)
+{
+  check.SetContext("translucent");
+  Surface surface;
+  surface.Draws->TimelinesOn();
+  vtkActor* actor = surface.Quad.Actor;
+  check.That(actor->HasOpaqueGeometry() && !actor->HasTranslucentPolygonalGeometry(), "opaque");
+  surface.Draws->GetTimelineTexture()->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
+  check.That(actor->HasOpaqueGeometry() && !actor->HasTranslucentPolygonalGeometry(),
+    "timelines on opaque streamlines");
+  surface.Draws->GetStreamlineTexture()->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
+  check.That(
+    !actor->HasOpaqueGeometry() && actor->HasTranslucentPolygonalGeometry(), "no background");
+  surface.Quad.Renderer->SetBackground(0.8, 0.1, 0.3);
+  surface.Draws->TimelinesOff();
+  surface.Draws->GetStreamlineTexture()->SetNumberOfLines(8);
+  const StripedQuad::Row row = surface.Quad.Draw();
+  check.Near(row[32][0], 0.8, 2.0 / 255.0, "the background of the renderer is visible", 1.0);
+  check.Near(row[64][0], 0.0, 2.0 / 255.0, "a line", 1.0);
+  surface.Draws->StreamlinesOff();
+  check.That(actor->HasOpaqueGeometry() != 0, "no lines");
+}
+
+/// Without lines, images equal those of VTK's mapper, and no texture is uploaded.
+void TestOff(Check& check)
+{
+  check.SetContext("lines off");
+  Surface surface;
+  surface.Draws->StreamlinesOff();
+  AddColors(surface.Quad);
+  StripedQuad quad(1.0, 1.0);
+  AddColors(quad);
+  check.That(surface.Quad.Draw() == quad.Draw(), "image");
+  check.Equal(surface.Draws->GetStreamlineTexture()->GetNumberOfUploads() +
+      surface.Draws->GetTimelineTexture()->GetNumberOfUploads(),
+    0, "uploads");
+}
+
+void TestErrors(Check& check)
+{
+  check.SetContext("errors");
+  Surface surface;
+  StripedQuad quad(1.0, 1.0);
+  vtkSmartPointer<vtkDataArray> coordinates = surface.Quad.Data->GetPointData()->GetTCoords();
+  const StripedQuad::Row striped = surface.Quad.Draw();
+  const StripedQuad::Row plain = quad.Draw();
+  surface.Quad.Data->GetPointData()->SetTCoords(nullptr);
+  StripedQuad::Row row;
+  const auto draw = [&] { row = surface.Quad.Draw(); };
+  const std::string errors = CaptureErrors(surface.Draws, draw);
+  check.Contains(errors, "the input has none");
+  check.That(row == plain, "no coordinates: the surface without lines");
+  check.That(CaptureErrors(surface.Draws, draw).empty(), "one error for an input");
+  vtkNew<vtkFloatArray> three;
+  three->SetNumberOfComponents(3);
+  three->SetNumberOfTuples(surface.Quad.Data->GetNumberOfPoints());
+  three->Fill(0.0);
+  surface.Quad.Data->GetPointData()->SetTCoords(three);
+  check.Contains(CaptureErrors(surface.Draws, draw), "the input has three");
+  check.That(row == plain, "three components: the surface without lines");
+  surface.Quad.Data->GetPointData()->SetTCoords(coordinates);
+  check.That(CaptureErrors(surface.Draws, draw).empty(), "no error");
+  check.That(row == striped, "lines again");
+  vtkNew<vtkPolyData> empty;
+  surface.Draws->SetInputData(empty);
+  check.That(CaptureErrors(surface.Draws, draw).empty(), "an empty input has no lines");
+}
+
+/// After each of many random changes, the image equals that of a new mapper.
+void TestChanges(Check& check)
+{
+  Surface surface;
+  vtkStreamSurfaceMapper* mapper = surface.Draws;
+  vtkStreamlineTexture* streamlines = mapper->GetStreamlineTexture();
+  vtkStreamlineTexture* timelines = mapper->GetTimelineTexture();
+  Random numbers(5);
+  double pixels = WINDOW;
+  const std::vector<std::function<void(double)>> changes = {
+    [&](double x) { mapper->SetStreamlines(x < 0.7); },
+    [&](double x) { mapper->SetTimelines(x < 0.7); },
+    [&](double x) { streamlines->SetNumberOfLines(1 << static_cast<int>(6.0 * x)); },
+    [&](double x) { timelines->SetNumberOfLines(1 << static_cast<int>(6.0 * x)); },
+    [&](double x) { streamlines->SetBackgroundColor(1.0, 0.7, x, x < 0.5 ? 1.0 : 0.3); },
+    [&](double x) { timelines->SetBackgroundColor(0.6, 1.0, x, x < 0.5 ? 1.0 : 0.0); },
+    [&](double x) { timelines->SetOffset(x); },
+    [&](double x) { streamlines->SetTexelsPerLine(8 + static_cast<int>(20.0 * x)); },
+    [&](double x) { timelines->SetLineWidth(x); },
+    [&](double x) { pixels = 100.0 + 900.0 * x; },
+    [&](double) { mapper->ReleaseGraphicsResources(surface.Quad.Window); },
+  };
+  for (int i = 0; i < 60; ++i)
+  {
+    check.SetContext("change " + std::to_string(i));
+    const auto kind = static_cast<std::size_t>(numbers.Get(0.0, 0.999) * changes.size());
+    changes[kind](numbers.Get(0.0, 0.999));
+    surface.Quad.SetPixels(pixels);
+    Surface fresh;
+    fresh.Draws->SetStreamlines(mapper->GetStreamlines());
+    fresh.Draws->SetTimelines(mapper->GetTimelines());
+    fresh.Quad.SetPixels(pixels);
+    const auto copy = [](vtkStreamlineTexture* to, vtkStreamlineTexture* from)
+    {
+      to->SetNumberOfLines(from->GetNumberOfLines());
+      to->SetBackgroundColor(from->GetBackgroundColor());
+      to->SetOffset(from->GetOffset());
+      to->SetTexelsPerLine(from->GetTexelsPerLine());
+      to->SetLineWidth(from->GetLineWidth());
+    };
+    copy(fresh.Draws->GetStreamlineTexture(), streamlines);
+    copy(fresh.Draws->GetTimelineTexture(), timelines);
+    const bool isColumn = i % 2 == 1;
+    check.That(surface.Quad.Draw(isColumn) == fresh.Quad.Draw(isColumn),
+      "the image equals that of a new mapper after change " + std::to_string(kind));
+  }
+}
+
+}
+
+int TestStreamSurfaceMapper(int, char*[])
+{
+  Check check;
+  TestNumberOfLines(check);
+  TestOffset(check);
+  TestImages(check);
+  TestTexture(check);
+  TestTranslucent(check);
+  TestOff(check);
+  TestErrors(check);
+  TestChanges(check);
+  return check.Result();
+}
