@@ -91,8 +91,8 @@ void vtkStreamSurfaceRepresentation::UpdateColoringParameters()
   if (this->HasCoordinates && !hasCoordinates)
   {
     vtkErrorMacro("Lines need texture coordinates with one or two components, but the data have "
-                  "none. Apply Stream Surface Parameters, or turn on Parameters As Texture "
-                  "Coordinates of Flow Volume.");
+                  "none. Apply \"Stream Surface Parameters\", or turn on \"Parameters As Texture "
+                  "Coordinates\" of \"Flow Volume\".");
   }
   if (this->HasCoordinates != hasCoordinates)
   {
