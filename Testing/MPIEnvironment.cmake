@@ -10,6 +10,9 @@ set(interlume_mpi_environment
 
 # interlume_ranks_test(NAME PROGRAM RANKS TIMEOUT): adds a test that runs PROGRAM with RANKS processes.
 function (interlume_ranks_test name program ranks timeout)
+  if (INTERLUME_SANITIZE)
+    math(EXPR timeout "6 * ${timeout}")
+  endif ()
   add_test(NAME ${name}
     COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}>)
   set_tests_properties(${name} PROPERTIES

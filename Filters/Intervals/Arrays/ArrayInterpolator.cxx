@@ -108,7 +108,8 @@ std::unique_ptr<ArrayInterpolator> MakeTyped(const Source& source, int component
 std::unique_ptr<ArrayInterpolator> ArrayInterpolator::Make(
   vtkDataArray* first, vtkDataArray* second, vtkIdType split, int outType)
 {
-  const bool isSingle = first == second;
+  // Two steps may share an array, but their points have different ids.
+  const bool isSingle = first == second && split == VTK_ID_MAX;
   const int components = first->GetNumberOfComponents();
   std::unique_ptr<ArrayInterpolator> made;
   ExtractionDispatch::Execute(first,

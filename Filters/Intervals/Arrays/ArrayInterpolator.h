@@ -22,8 +22,8 @@ class ArrayInterpolator
 {
 public:
   /// Creates an interpolator with the result type VTK_FLOAT or VTK_DOUBLE. An id i >= \a split
-  /// refers to tuple i - \a split of \a second. If \a first and \a second are the same array, \a
-  /// split is ignored. Both arrays must outlive the interpolator.
+  /// refers to tuple i - \a split of \a second, which may be the same array. Both arrays must
+  /// outlive the interpolator.
   static std::unique_ptr<ArrayInterpolator> Make(
     vtkDataArray* first, vtkDataArray* second, vtkIdType split, int outType);
 

@@ -45,9 +45,11 @@ const CarriedType Types[] = { { VTK_CHAR, VTK_FLOAT, 1e-6 }, { VTK_UNSIGNED_CHAR
   { VTK_LONG_LONG, VTK_DOUBLE, 1e-13 }, { VTK_UNSIGNED_LONG_LONG, VTK_DOUBLE, 1e-13 },
   { VTK_FLOAT, VTK_FLOAT, 1e-6 }, { VTK_DOUBLE, VTK_DOUBLE, 1e-13 } };
 
-std::string NameOf(int type, int components)
+/// Constant arrays are the same object at all steps.
+std::string NameOf(int type, int components, bool isConstant)
 {
-  return "array-" + std::to_string(type) + "-" + std::to_string(components);
+  return (isConstant ? "constant-" : "array-") + std::to_string(type) + "-" +
+    std::to_string(components);
 }
 
 /// A linear function of space and time. Its values at the points and times of the test are integers
@@ -64,8 +66,9 @@ void AddTypes(const TimeSteps& steps, int components)
     vtkDataSet* data = GetDataSet(step);
     for (const CarriedType& type : Types)
     {
+      const std::string constant = NameOf(type.Type, components, true);
       auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type.Type));
-      array->SetName(NameOf(type.Type, components).c_str());
+      array->SetName(NameOf(type.Type, components, false).c_str());
       array->SetNumberOfComponents(components);
       array->SetNumberOfTuples(data->GetNumberOfPoints());
       for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
@@ -76,13 +79,22 @@ void AddTypes(const TimeSteps& steps, int components)
         }
       }
       data->GetPointData()->AddArray(array);
+      vtkPointData* const first = GetDataSet(steps.front())->GetPointData();
+      if (!first->HasArray(constant.c_str()))
+      {
+        auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+        copy->DeepCopy(array);
+        copy->SetName(constant.c_str());
+        first->AddArray(copy);
+      }
+      data->GetPointData()->AddArray(first->GetArray(constant.c_str()));
     }
   }
 }
 
 /// Checks that arrays with values of Linear() are interpolated exactly at the position and time of
 /// each point. At a thick point, the value and the time are both means over the duration.
-void CheckInterpolated(vtkUnstructuredGrid* grid, int components, Check& check)
+void CheckInterpolated(vtkUnstructuredGrid* grid, int components, bool isConstant, Check& check)
 {
   vtkDataArray* times = grid->GetPointData()->GetArray("Time");
   if (!check.That(times != nullptr, "there are times"))
@@ -91,7 +103,7 @@ void CheckInterpolated(vtkUnstructuredGrid* grid, int components, Check& check)
   }
   for (const CarriedType& type : Types)
   {
-    const std::string name = NameOf(type.Type, components);
+    const std::string name = NameOf(type.Type, components, isConstant);
     vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
     if (!check.That(array != nullptr, name + " is passed"))
     {
@@ -106,7 +118,8 @@ void CheckInterpolated(vtkUnstructuredGrid* grid, int components, Check& check)
     {
       for (int c = 0; c < components; ++c)
       {
-        const double expected = Linear(grid->GetPoint(i), times->GetComponent(i, 0), c);
+        const double expected =
+          Linear(grid->GetPoint(i), isConstant ? 0.0 : times->GetComponent(i, 0), c);
         reference::KeepLargest(error, std::abs(array->GetComponent(i, c) - expected));
       }
     }
@@ -214,9 +227,12 @@ void CheckTypes(Check& check)
       const TimeVaryingExtraction found =
         ExtractTimeVarying(steps, { { { 0.2, 0.4 }, { 0.4, 0.7 } } });
       CheckNames(found, check);
-      CheckInterpolated(found.Tetrahedra, components, check);
-      CheckInterpolated(found.Boundaries, components, check);
-      CheckInterpolated(found.Simplices, components, check);
+      for (const bool isConstant : { false, true })
+      {
+        CheckInterpolated(found.Tetrahedra, components, isConstant, check);
+        CheckInterpolated(found.Boundaries, components, isConstant, check);
+        CheckInterpolated(found.Simplices, components, isConstant, check);
+      }
     }
   }
 }

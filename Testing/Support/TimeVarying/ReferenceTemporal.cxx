@@ -160,9 +160,29 @@ void TimeStepSource::ReturnStep(vtkInformation* info)
   // Releases the previous step first, like a reader that reuses its output.
   info->Get(vtkDataObject::DATA_OBJECT())->Initialize();
   const vtkSmartPointer<vtkDataObject> data = Copy(this->Steps[step].Data);
+  this->ShareArrays(step, data);
   this->Count(data);
   data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Steps[step].Time);
   info->Set(vtkDataObject::DATA_OBJECT(), data);
+}
+
+void TimeStepSource::ShareArrays(int step, vtkDataObject* copy) const
+{
+  const auto getArrays = [this](int index)
+  {
+    vtkDataSet* data = vtkDataSet::SafeDownCast(this->Steps[index].Data);
+    return data ? data->GetPointData() : nullptr;
+  };
+  vtkPointData* const arrays = getArrays(step);
+  vtkPointData* const others = this->Steps.size() < 2 ? nullptr : getArrays(step == 0 ? 1 : 0);
+  for (int a = 0; arrays && others && a < arrays->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(a);
+    if (array->GetName() && array == others->GetAbstractArray(array->GetName()))
+    {
+      vtkDataSet::SafeDownCast(copy)->GetPointData()->AddArray(array);
+    }
+  }
 }
 
 void TimeStepSource::Count(vtkDataObject* data)

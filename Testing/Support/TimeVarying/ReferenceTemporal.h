@@ -19,7 +19,7 @@ namespace reference
  * Returns the last step whose time is not after the requested time, or the first step if there is
  * none. Every request returns a copy, so that the number of copies in memory can be counted. A copy
  * is counted until the first point array of its first dataset is deleted, which happens when the
- * copy's data is no longer referenced.
+ * copy's data is no longer referenced. Named point arrays that two steps share are not copied.
  */
 class TimeStepSource : public vtkAlgorithm
 {
@@ -60,6 +60,8 @@ private:
 
   void ReportInformation(vtkInformation* info);
   void ReturnStep(vtkInformation* info);
+  /// Replaces copies of arrays that the step shares with another step.
+  void ShareArrays(int step, vtkDataObject* copy) const;
   int FindStep(vtkInformation* info) const;
   void Count(vtkDataObject* data);
 
