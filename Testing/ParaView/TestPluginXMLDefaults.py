@@ -70,6 +70,10 @@ LISTED = {
             lambda _: interlume.vtkTimeWeightedTetrahedraMapper().GetDeltaTArrayName() or "DeltaT"},
     "vtkTimeWeightedTetrahedraMapper": {
         "IntervalLayerPriorities": lambda mapper: [] if mapper.GetLayerPriority(3) == 3.0 else None},
+    # The representation draws as vtkStreamSurfaceMapper, a class that it does not use.
+    "vtkStreamSurfaceRepresentation": {
+        "Streamlines": lambda _: interlume.vtkStreamSurfaceMapper().GetStreamlines(),
+        "Timelines": lambda _: interlume.vtkStreamSurfaceMapper().GetTimelines()},
     "vtkProjectiveLight": {"ProjectiveLightColor": lambda light: light.GetDiffuseColor()},
     "vtkAreaLight": {"AreaLightColor": lambda light: light.GetDiffuseColor()},
     # A light kit has five lights. By default, only one of them casts shadows. Shading is on,
