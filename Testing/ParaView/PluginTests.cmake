@@ -176,6 +176,7 @@ plugin_animation(intervals_of_a_tooth tooth.vti)
 plugin_animation(mug_over_time mug.ex2)
 plugin_animation(dye_around_a_sphere)
 plugin_animation(time_surfaces_around_a_sphere)
+plugin_animation(timelines_around_a_sphere)
 plugin_test(TestPluginStates "paraview;image" ${batch} "${script}/TestPluginStates.py"
   "${PROJECT_SOURCE_DIR}/Examples/ParaView/States" "${CMAKE_CURRENT_BINARY_DIR}")
 set_tests_properties(TestPluginStates PROPERTIES FIXTURES_REQUIRED examples)
