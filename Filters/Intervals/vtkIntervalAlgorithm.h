@@ -7,6 +7,14 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string> // for messages
+#include <vector> // for the criteria
+
+class vtkDataSet;
+
+namespace interlume
+{
+class Error;
+}
 
 /**
  * @class   vtkIntervalAlgorithm
@@ -42,6 +50,52 @@ public:
   int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
   void SetInterval(int i, double lower, double upper);
   void GetInterval(int i, double& lower, double& upper) const;
+  ///@}
+
+  ///@{
+  /**
+   * Add criteria: combine the intervals with the region lower <= array <= upper, see
+   * CriteriaOperation, where array is another point array, or a cell array if no point array has
+   * this name. Each criterion adds a pass over the simplices, or two with UNION. The orientation of
+   * simplices is preserved, so signed volumes still add up if some are inverted. Simplices are
+   * dropped if the array is NaN or infinite at a corner. The array must have one component, and not
+   * contain ids. For ranges of the array of the intervals, use intervals: values of floating-point
+   * arrays at cuts differ from the bound by rounding error, so a criterion with the same bound may
+   * cut off slivers. Default: none. AddCriterionAsText parses the bounds from text. If a bound is
+   * not a number, the range contains NaN and the next execution reports the text as an error. For
+   * an invalid index, GetCriterionArrayName returns null and GetCriterionRange leaves its arguments
+   * unchanged.
+   */
+  void AddCriterion(const char* arrayName, double lower, double upper);
+  void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);
+  void RemoveAllCriteria();
+  int GetNumberOfCriteria() const { return static_cast<int>(this->Criteria.size()); }
+  const char* GetCriterionArrayName(int i) const;
+  void GetCriterionRange(int i, double& lower, double& upper) const;
+  ///@}
+
+  ///@{
+  /**
+   * How criteria change the result:
+   * - INTERSECTION: the part of the intervals that satisfies all criteria
+   * - UNION, an error in vtkTimeVaryingIntervalVolume: the intervals, and the region outside of
+   *   them that satisfies any criterion. This region has the `IntervalId` -1. Its tetrahedra are
+   *   last in the output, sorted by criterion. They share no points with the intervals, and those
+   *   of different criteria share none. Cells are skipped where the scalar is NaN or infinite. At
+   *   least one interval must be set. The report and the warnings about cells describe the
+   *   extraction of the intervals.
+   * - DIFFERENCE: the part of the intervals that satisfies no criterion
+   *
+   * Default INTERSECTION.
+   */
+  enum CriteriaOperations
+  {
+    INTERSECTION,
+    UNION,
+    DIFFERENCE
+  };
+  vtkSetClampMacro(CriteriaOperation, int, INTERSECTION, DIFFERENCE);
+  int GetCriteriaOperation() const { return this->CriteriaOperation; }
   ///@}
 
   ///@{
@@ -110,6 +164,15 @@ public:
   ///@}
 
 protected:
+  struct Criterion
+  {
+    std::string ArrayName;
+    double Lower;
+    double Upper;
+    /// The text of the first bound that is not a number. Empty if there is none.
+    std::string InvalidBound;
+  };
+
   vtkIntervalAlgorithm();
   ~vtkIntervalAlgorithm() override = default;
 
@@ -117,6 +180,12 @@ protected:
   {
     return this->Intervals.GetAll();
   }
+  const std::vector<Criterion>& GetCriteria() const { return this->Criteria; }
+  std::vector<std::string> GetCriteriaArrayNames() const;
+  /// Returns an error if a criterion is invalid for a dataset.
+  interlume::Error CheckCriteria(vtkDataSet* input) const;
+  /// Returns a description of a criterion for messages.
+  std::string DescribeCriterion(int number) const;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   /// Creates unstructured grids for a dataset, or composite datasets for a composite input.
@@ -132,6 +201,8 @@ private:
   void operator=(const vtkIntervalAlgorithm&) = delete;
 
   vtkIntervalList Intervals;
+  std::vector<Criterion> Criteria;
+  int CriteriaOperation = INTERSECTION;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   bool WarnOnEmptyOutput = true;
   vtkIdType SizeWarningLimit = 5000000;

@@ -32,15 +32,6 @@ vtkStandardNewMacro(vtkIntervalVolume);
 
 namespace
 {
-// Parses a number. Returns NaN if the text is not a number.
-double ReadNumber(const std::string& text)
-{
-  std::istringstream stream(text);
-  double number;
-  std::string rest;
-  return stream >> number && !(stream >> rest) ? number : std::numeric_limits<double>::quiet_NaN();
-}
-
 // A range of a point array.
 struct Range
 {
@@ -73,77 +64,10 @@ vtkIntervalVolume::vtkIntervalVolume()
 
 vtkIntervalVolume::~vtkIntervalVolume() = default;
 
-void vtkIntervalVolume::AddCriterion(const char* arrayName, double lower, double upper)
-{
-  this->Criteria.push_back({ arrayName ? arrayName : "", lower, upper, std::string() });
-  this->Modified();
-}
-
-void vtkIntervalVolume::AddCriterionAsText(
-  const char* arrayName, const char* lower, const char* upper)
-{
-  std::string invalid;
-  for (const char* text : { lower, upper })
-  {
-    if (invalid.empty() && (!text || std::isnan(ReadNumber(text))))
-    {
-      invalid = text && *text ? std::string("\"") + text + "\"" : "(empty)";
-    }
-  }
-  this->AddCriterion(
-    arrayName, lower ? ReadNumber(lower) : std::nan(""), upper ? ReadNumber(upper) : std::nan(""));
-  this->Criteria.back().InvalidBound = invalid;
-}
-
-void vtkIntervalVolume::RemoveAllCriteria()
-{
-  if (!this->Criteria.empty())
-  {
-    this->Criteria.clear();
-    this->Modified();
-  }
-}
-
-const char* vtkIntervalVolume::GetCriterionArrayName(int i) const
-{
-  return i >= 0 && i < this->GetNumberOfCriteria() ? this->Criteria[i].ArrayName.c_str() : nullptr;
-}
-
-void vtkIntervalVolume::GetCriterionRange(int i, double& lower, double& upper) const
-{
-  if (i >= 0 && i < this->GetNumberOfCriteria())
-  {
-    lower = this->Criteria[i].Lower;
-    upper = this->Criteria[i].Upper;
-  }
-}
-
 interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
 {
-  interlume::Error error = interlume::ExtractionInput::CheckIntervals(this->GetIntervals());
-  for (std::size_t i = 0; !error && i < this->Criteria.size(); ++i)
-  {
-    const Criterion& criterion = this->Criteria[i];
-    const std::string name = "The criterion on \"" + criterion.ArrayName + "\"";
-    // Valid cell arrays have been converted to point arrays.
-    const auto array = interlume::CellArrayConversion::FindByName(input, criterion.ArrayName);
-    error = interlume::ExtractionInput::CheckScalars(input, array.Array, array.Association,
-      "point or cell array \"" + criterion.ArrayName + "\" of a criterion");
-    if (!error && !interlume::ExtractionArrays::IsCarried(input->GetPointData(), array.Array))
-    {
-      error = name +
-        " needs an array of values, but these are ids or ghost flags. Copy them to an array with "
-        "another name that is not an active attribute.";
-    }
-    if (!error && !criterion.InvalidBound.empty())
-    {
-      error = name + " has the bound " + criterion.InvalidBound +
-        ", which is not a number. Enter a number.";
-    }
-    error = error.Then(
-      [&] { return interlume::IntervalCheck::FindError(name, criterion.Lower, criterion.Upper); });
-  }
-  return error;
+  return interlume::ExtractionInput::CheckIntervals(this->GetIntervals())
+    .Then([&] { return this->CheckCriteria(input); });
 }
 
 int vtkIntervalVolume::RequestData(
@@ -151,25 +75,20 @@ int vtkIntervalVolume::RequestData(
 {
   interlume::ExtractionIndex* const index =
     this->Index->BeginExecution(this->UseValueIndex, this->GetPreviewCellLimit() > 0);
-  std::vector<std::string> names;
-  for (const Criterion& criterion : this->Criteria)
-  {
-    names.push_back(criterion.ArrayName);
-  }
-  interlume::ExtractionRun run(
-    this, names, index, this->GetPreviewCellLimit(), this->GetSizeWarningLimit());
+  interlume::ExtractionRun run(this, this->GetCriteriaArrayNames(), index,
+    this->GetPreviewCellLimit(), this->GetSizeWarningLimit());
   run.GetEmptyOutputDiagnosis().SetMinimumDimension(this->SurfaceCells == NEVER ? 3 : 2);
   this->BeginMemory();
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->ExtractFrom(input, run, grids[0], grids[1]); });
   this->EndMemory(run.GetReport());
-  run.Finish(
-    { this->GetIntervals(),
-      interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) +
-        (this->CriteriaOperation == UNION && !this->Criteria.empty() ? " or satisfies a criterion"
-                                                                     : ""),
-      this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
+  run.Finish({ this->GetIntervals(),
+               interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) +
+                 (this->GetCriteriaOperation() == UNION && !this->GetCriteria().empty()
+                     ? " or satisfies a criterion"
+                     : ""),
+               this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
     this->GetReportBalance(), this->GetWarnOnEmptyOutput(), this->Report);
   return 1;
 }
@@ -228,8 +147,8 @@ bool vtkIntervalVolume::ExtractCells(int dimension, bool isMixed, vtkDataSet* in
   vtkUnstructuredGrid* boundary)
 {
   const int criteria = this->GetNumberOfCriteria();
-  const bool isUnion = criteria > 0 && this->CriteriaOperation == UNION;
-  const bool isDifference = criteria > 0 && this->CriteriaOperation == DIFFERENCE;
+  const bool isUnion = criteria > 0 && this->GetCriteriaOperation() == UNION;
+  const bool isDifference = criteria > 0 && this->GetCriteriaOperation() == DIFFERENCE;
   const int passes = isUnion ? 2 * criteria + 1 : criteria + 1;
   this->SetProgressShiftScale(this->GetProgressShift(), this->GetProgressScale() / passes);
   this->SetProgressText("Extracting the intervals");
@@ -250,7 +169,7 @@ bool vtkIntervalVolume::ExtractCells(int dimension, bool isMixed, vtkDataSet* in
   {
     const vtkIdType before = output->GetNumberOfCells();
     vtkSmartPointer<vtkDataArray> array =
-      output->GetPointData()->GetArray(this->Criteria[number].ArrayName.c_str());
+      output->GetPointData()->GetArray(this->GetCriteria()[number].ArrayName.c_str());
     completed = this->ApplyCriterion(dimension, number, isDifference, run, whole, output, boundary);
     run.GetEmptyOutputDiagnosis().AddCriterion(
       number, this->DescribeCriterion(number), array, before, output->GetNumberOfCells());
@@ -267,7 +186,7 @@ bool vtkIntervalVolume::AppendCriteria(int dimension, vtkDataSet* input, vtkData
 {
   const int criteria = this->GetNumberOfCriteria();
   std::vector<Range> ranges;
-  for (const Criterion& criterion : this->Criteria)
+  for (const Criterion& criterion : this->GetCriteria())
   {
     ranges.push_back({ input->GetPointData()->GetArray(criterion.ArrayName.c_str()),
       criterion.Lower, criterion.Upper });
@@ -367,9 +286,9 @@ bool vtkIntervalVolume::ExtractIntervals(int dimension, bool isMixed, vtkDataSet
   vtkDataArray* scalars, interlume::ExtractionRun& run, interlume::InteriorCellPass* whole,
   vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
-  for (const Criterion& criterion : this->Criteria)
+  for (const Criterion& criterion : this->GetCriteria())
   {
-    if (whole && this->CriteriaOperation == INTERSECTION)
+    if (whole && this->GetCriteriaOperation() == INTERSECTION)
     {
       whole->ExcludePointsOutside(input->GetPointData()->GetArray(criterion.ArrayName.c_str()),
         criterion.Lower, criterion.Upper);
@@ -389,27 +308,18 @@ bool vtkIntervalVolume::ExtractIntervals(int dimension, bool isMixed, vtkDataSet
   extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
   extraction.GenerateBoundaries = this->GenerateBoundaries;
   extraction.GenerateOriginArrays =
-    this->GenerateOriginArrays && this->Criteria.empty() && !run.IsCoarse();
+    this->GenerateOriginArrays && this->GetCriteria().empty() && !run.IsCoarse();
   extraction.InteriorPass = whole;
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
   run.Add(input, dimension, this->GetOutputPointsPrecision(), report);
   return completed;
 }
 
-std::string vtkIntervalVolume::DescribeCriterion(int number) const
-{
-  const Criterion& criterion = this->Criteria[number];
-  std::ostringstream description;
-  description << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower
-              << " to " << criterion.Upper;
-  return description.str();
-}
-
 bool vtkIntervalVolume::ApplyCriterion(int dimension, int number, bool isInverted,
   interlume::ExtractionRun& run, interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid,
   vtkUnstructuredGrid* boundary)
 {
-  const Criterion& criterion = this->Criteria[number];
+  const Criterion& criterion = this->GetCriteria()[number];
   this->StartPass("Cutting at the criterion on " + criterion.ArrayName);
   vtkNew<vtkUnstructuredGrid> before;
   vtkNew<vtkUnstructuredGrid> boundaryBefore;
@@ -448,13 +358,6 @@ bool vtkIntervalVolume::ApplyCriterion(int dimension, int number, bool isInverte
 void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Criteria: " << this->Criteria.size() << "\n";
-  for (const Criterion& criterion : this->Criteria)
-  {
-    os << indent.GetNextIndent() << criterion.ArrayName << ": " << criterion.Lower << " to "
-       << criterion.Upper << "\n";
-  }
-  os << indent << "CriteriaOperation: " << this->CriteriaOperation << "\n";
   os << indent << "GenerateBoundaries: " << this->GenerateBoundaries << "\n";
   os << indent << "KeepInteriorCells: " << this->KeepInteriorCells << "\n";
   os << indent << "GenerateOriginArrays: " << this->GenerateOriginArrays << "\n";

@@ -10,8 +10,7 @@
 #include "vtkSmartPointer.h" // for the value index
 
 #include <memory> // for the block pool
-#include <string> // for the criteria
-#include <vector> // for the criteria
+#include <string> // for messages
 
 class vtkDataArray;
 class vtkDataSet;
@@ -98,51 +97,6 @@ public:
     LOWER_SIDE = 0,
     UPPER_SIDE = 1
   };
-
-  ///@{
-  /**
-   * Add criteria: combine the intervals with the region lower <= array <= upper, see
-   * CriteriaOperation, where array is another point array, or a cell array if no point array has
-   * this name. Each criterion adds a pass over the tetrahedra, or two with UNION. The orientation
-   * of tetrahedra is preserved, so signed volumes still add up if some are inverted. Tetrahedra are
-   * dropped if the array is NaN or infinite at a corner. The array must have one component, and not
-   * contain ids. For ranges of the array of the intervals, use intervals: values of floating-point
-   * arrays at cuts differ from the bound by rounding error, so a criterion with the same bound may
-   * cut off slivers. Default: none. AddCriterionAsText parses the bounds from text. If a bound is
-   * not a number, the range contains NaN and the next execution reports the text as an error. For
-   * an invalid index, GetCriterionArrayName returns null and GetCriterionRange leaves its arguments
-   * unchanged.
-   */
-  void AddCriterion(const char* arrayName, double lower, double upper);
-  void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);
-  void RemoveAllCriteria();
-  int GetNumberOfCriteria() const { return static_cast<int>(this->Criteria.size()); }
-  const char* GetCriterionArrayName(int i) const;
-  void GetCriterionRange(int i, double& lower, double& upper) const;
-  ///@}
-
-  ///@{
-  /**
-   * How criteria change the result:
-   * - INTERSECTION: the part of the intervals that satisfies all criteria
-   * - UNION: the intervals, and the region outside of them that satisfies any criterion. This
-   *   region has the `IntervalId` -1. Its tetrahedra are last in the output, sorted by criterion.
-   *   They share no points with the intervals, and those of different criteria share none. Cells
-   *   are skipped where the scalar is NaN or infinite. At least one interval must be set. The
-   *   report and the warnings about cells describe the extraction of the intervals.
-   * - DIFFERENCE: the part of the intervals that satisfies no criterion
-   *
-   * Default INTERSECTION.
-   */
-  enum CriteriaOperations
-  {
-    INTERSECTION,
-    UNION,
-    DIFFERENCE
-  };
-  vtkSetClampMacro(CriteriaOperation, int, INTERSECTION, DIFFERENCE);
-  vtkGetMacro(CriteriaOperation, int);
-  ///@}
 
   ///@{
   /**
@@ -256,15 +210,6 @@ private:
   vtkIntervalVolume(const vtkIntervalVolume&) = delete;
   void operator=(const vtkIntervalVolume&) = delete;
 
-  struct Criterion
-  {
-    std::string ArrayName;
-    double Lower;
-    double Upper;
-    /// The text of the first bound that is not a number. Empty if there is none.
-    std::string InvalidBound;
-  };
-
   /// Returns an error if an interval or a criterion is invalid.
   interlume::Error CheckParameters(vtkDataSet* input) const;
   /// Extracts the intervals from one dataset.
@@ -288,8 +233,6 @@ private:
   /// isInverted is true. Returns false if the user aborted.
   bool ApplyCriterion(int dimension, int number, bool isInverted, interlume::ExtractionRun& run,
     interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary);
-  /// Returns a description of a criterion for messages.
-  std::string DescribeCriterion(int number) const;
   /// Starts the next of the passes, which share the progress range.
   void StartPass(const std::string& text);
 
@@ -299,8 +242,6 @@ private:
   void EndMemory(interlume::ExtractionReport& report);
   ///@}
 
-  std::vector<Criterion> Criteria;
-  int CriteriaOperation = INTERSECTION;
   bool GenerateBoundaries = false;
   bool KeepInteriorCells = false;
   bool GenerateOriginArrays = false;

@@ -137,6 +137,17 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckDirection() const
   return message.str();
 }
 
+interlume::Error vtkTimeVaryingIntervalVolume::CheckOperation() const
+{
+  if (this->GetNumberOfCriteria() > 0 && this->GetCriteriaOperation() == UNION)
+  {
+    return "The CriteriaOperation UNION is not available over time. Use INTERSECTION or "
+           "DIFFERENCE, "
+           "or append the intervals of the other array from a second filter.";
+  }
+  return {};
+}
+
 std::vector<int> vtkTimeVaryingIntervalVolume::GetSelectedSteps(int stride) const
 {
   const int number = static_cast<int>(this->TimeSteps.size());
@@ -209,7 +220,7 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
   const std::vector<int> steps = this->GetSelectedSteps(
     this->TimeStepStride * (this->Coarse ? this->Coarse->GetTimeStride() : 1));
   for (const interlume::Error& error : { this->CheckTimes(steps), this->CheckDirection(),
-         interlume::ExtractionInput::CheckIntervals(this->GetIntervals()) })
+         interlume::ExtractionInput::CheckIntervals(this->GetIntervals()), this->CheckOperation() })
   {
     if (error)
     {
@@ -217,9 +228,17 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
       return false;
     }
   }
-  const interlume::TimeVaryingOptions options(*this, this->GetOutputPointsPrecision(), copiesSteps);
+  interlume::TimeVaryingOptions options(*this, this->GetOutputPointsPrecision(), copiesSteps);
+  for (int i = 0; i < this->GetNumberOfCriteria(); ++i)
+  {
+    const Criterion& criterion = this->GetCriteria()[i];
+    options.Criteria.push_back(
+      { criterion.ArrayName, criterion.Lower, criterion.Upper, this->DescribeCriterion(i) });
+  }
+  options.ExcludesCriteria = this->GetCriteriaOperation() == DIFFERENCE;
   this->Run = std::make_unique<interlume::TimeVaryingRun>(this, this->GetIntervals(), options,
-    steps, this->GetTimes(steps), this->Coarse ? 0 : this->GetSizeWarningLimit());
+    steps, this->GetTimes(steps), this->Coarse ? 0 : this->GetSizeWarningLimit(),
+    [this](vtkDataSet* input) { return this->CheckCriteria(input); });
   return true;
 }
 

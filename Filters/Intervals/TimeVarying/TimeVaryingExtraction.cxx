@@ -430,8 +430,9 @@ public:
     const vtkTimeVaryingSettings& settings = this->Mesh.GetOptions().Settings;
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
     // If a value equals a bound, the 4-simplices are needed to determine which boundary cells
-    // remain.
+    // remain. If there are criteria, the 4-simplices are needed for the boundary at their bounds.
     const bool isNeeded = settings.GenerateTetrahedra || settings.GenerateSimplices ||
+      (this->HasBoundary && !this->Mesh.GetOptions().Criteria.empty()) ||
       (this->HasBoundary && (this->Steps[0]->HasTies() || this->Steps[1]->HasTies()));
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
     slab.Items.Allocate(isNeeded && this->Values.GetItems().size() > 1 ? simplices : 0);

@@ -11,8 +11,11 @@
 #include "Unstructured/CrossingLists.h"
 
 #include "vtkIdList.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <numeric>
+#include <set>
 #include <utility>
 
 namespace interlume
@@ -317,6 +320,34 @@ void TimeVaryingMesh::AppendPoints(
     this->UpdateCoordinatePointers();
     return;
   }
+  this->Append(positions, times, arrays);
+}
+
+void TimeVaryingMesh::AddEdgePoints(const std::vector<ExtractionPoint>& points)
+{
+  if (points.empty())
+  {
+    return;
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(this->Points);
+  grid->GetPointData()->ShallowCopy(this->Arrays);
+  grid->GetPointData()->AddArray(this->Times);
+  PointList list;
+  list.Allocate(points.size());
+  std::copy(points.begin(), points.end(), list.GetData());
+  PointArrays made(grid, this->Options.Precision);
+  made.Fill(list);
+  vtkNew<vtkPointData> arrays;
+  made.AddTo(arrays);
+  const vtkSmartPointer<vtkDoubleArray> times =
+    vtkDoubleArray::SafeDownCast(arrays->GetArray("Time"));
+  arrays->RemoveArray("Time");
+  this->Append(made.GetPoints(), times, arrays);
+}
+
+void TimeVaryingMesh::Append(vtkPoints* positions, vtkDoubleArray* times, vtkPointData* arrays)
+{
   const vtkIdType before = this->Points->GetNumberOfPoints();
   const vtkIdType number = positions->GetNumberOfPoints();
   this->Points->GetData()->InsertTuples(before, number, 0, positions->GetData());
@@ -472,15 +503,37 @@ void TimeVaryingMesh::ResolveTiedBoundary()
       });
   }
   inTime.Visit(settle);
+  if (!this->Options.Criteria.empty())
+  {
+    this->MarkRepeatedSurfaces(isRemoved);
+  }
   std::size_t retained = 0;
   for (std::size_t c = 0; c < this->Boundary.size(); ++c)
   {
-    if (!isRemoved[c] && this->Options.Settings.GenerateBoundary[this->Boundary[c].Kind])
+    const int kind = this->Boundary[c].Kind;
+    if (!isRemoved[c] &&
+      (kind >= Kinds::NUMBER_OF_BOUNDARY_KINDS || this->Options.Settings.GenerateBoundary[kind]))
     {
       this->Boundary[retained++] = this->Boundary[c];
     }
   }
   this->Boundary.resize(retained);
+}
+
+void TimeVaryingMesh::MarkRepeatedSurfaces(std::vector<bool>& isRemoved) const
+{
+  std::set<std::array<vtkIdType, 5>> found;
+  for (std::size_t c = 0; c < this->Boundary.size(); ++c)
+  {
+    const BoundaryCell& cell = this->Boundary[c];
+    if (!isRemoved[c] && !IsVolume(cell.Kind) && !IsSurfaceAtStep(cell.Kind))
+    {
+      std::array<vtkIdType, 5> key{ { cell.Item } };
+      std::copy(cell.Ids.begin(), cell.Ids.end(), key.begin() + 1);
+      std::sort(key.begin() + 1, key.end());
+      isRemoved[c] = !found.insert(key).second;
+    }
+  }
 }
 
 void TimeVaryingMesh::UpdateCoordinatePointers()
@@ -606,6 +659,13 @@ void TimeVaryingMesh::RemoveUnusedPoints()
   }
   this->Arrays->ShallowCopy(arrays);
   this->UpdateCoordinatePointers();
+}
+
+vtkIdType TimeVaryingMesh::GetNumberOfSimplices() const
+{
+  return std::accumulate(this->Slabs.begin(), this->Slabs.end(), vtkIdType(0),
+    [](vtkIdType sum, const Slab& slab)
+    { return sum + static_cast<vtkIdType>(slab.Simplices.GetSize()); });
 }
 
 std::size_t TimeVaryingMesh::GetBytesPerPoint() const

@@ -144,6 +144,9 @@ public:
   /// this last. Returns the number of removed 4-simplices.
   vtkIdType RemoveDuplicates();
 
+  /// Removes the points that no output uses.
+  void RemoveUnusedPoints();
+
   /// Returns the slab started last.
   Slab& GetSlab() { return this->Slabs.back(); }
 
@@ -156,6 +159,7 @@ public:
   ///@}
   vtkPointData* GetArrays() const { return this->Arrays; }
   const std::vector<Slab>& GetSlabs() const { return this->Slabs; }
+  vtkIdType GetNumberOfSimplices() const;
   const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
   const std::vector<BoundaryCell>& GetStepVolume() const { return this->StepVolume; }
 
@@ -183,6 +187,8 @@ public:
   }
 
 private:
+  friend class CriterionCut;
+
   // A point at the second step of a slab: its owner and key in the next slab, and its id in the
   // mesh.
   struct SharedPoint
@@ -227,9 +233,13 @@ private:
 
   void AppendPoints(const TimeStep& first, const TimeStep& second,
     const ExtractionBuffer<ExtractionPoint>& points, bool isStatic);
+  void Append(vtkPoints* positions, vtkDoubleArray* times, vtkPointData* arrays);
   void AppendArrays(vtkPointData* more);
+  /// Adds points on edges between points of the mesh.
+  void AddEdgePoints(const std::vector<ExtractionPoint>& points);
   bool IsAtOneTime(const Simplex& simplex) const;
-  void RemoveUnusedPoints();
+  /// Marks surfaces of criteria that are also surfaces of an interval or of an earlier criterion.
+  void MarkRepeatedSurfaces(std::vector<bool>& isRemoved) const;
   void UpdateCoordinatePointers();
 
   TimeVaryingOptions Options;

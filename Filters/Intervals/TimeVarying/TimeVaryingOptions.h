@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace interlume
 {
@@ -17,6 +19,16 @@ namespace interlume
 class TimeVaryingOptions
 {
 public:
+  /// The region where a point array is between two bounds.
+  struct Criterion
+  {
+    std::string ArrayName;
+    double Lower;
+    double Upper;
+    /// A description for messages.
+    std::string Words;
+  };
+
   TimeVaryingOptions(const vtkTimeVaryingSettings& settings, int precision, bool copiesSteps)
     : Settings(settings)
     , Precision(precision)
@@ -41,6 +53,10 @@ public:
   const int Precision;
   /// If true, steps are copied because the input writes each one over the previous one.
   const bool CopiesSteps;
+
+  /// Criteria, all of which the output satisfies, or none if ExcludesCriteria is true.
+  std::vector<Criterion> Criteria;
+  bool ExcludesCriteria = false;
 
   bool IsAlongTime() const { return this->Direction[3] == 1.0; }
 

@@ -53,11 +53,7 @@ double TimeVaryingOutput::EstimateBytes(const TimeVaryingMesh& mesh, double tetr
   const vtkTimeVaryingSettings& settings = mesh.GetOptions().Settings;
   const double points = static_cast<double>(mesh.GetPoints()->GetNumberOfPoints());
   const double pointBytes = static_cast<double>(mesh.GetBytesPerPoint());
-  double simplices = 0.0;
-  for (const Slab& slab : mesh.GetSlabs())
-  {
-    simplices += static_cast<double>(slab.Simplices.GetSize());
-  }
+  const auto simplices = static_cast<double>(mesh.GetNumberOfSimplices());
   double bytes = static_cast<double>(mesh.GetBytes()) + points * pointBytes;
   if (settings.GenerateTetrahedra)
   {
@@ -94,7 +90,10 @@ void TimeVaryingOutput::FillBoundary(
     kinds->SetValue(c, cell.Kind);
     items->SetValue(c, cell.Item);
     slabs->SetValue(c, cell.Slab);
-    ++report.Boundaries[cell.Kind];
+    if (cell.Kind < vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS)
+    {
+      ++report.Boundaries[cell.Kind];
+    }
   }
   output->SetCells(types, list);
 }
@@ -106,12 +105,8 @@ void TimeVaryingOutput::FillSimplices(const TimeVaryingMesh& mesh, vtkUnstructur
     return;
   }
   AssignArrays(mesh, output);
-  vtkIdType number = 0;
-  for (const Slab& slab : mesh.GetSlabs())
-  {
-    number += static_cast<vtkIdType>(slab.Simplices.GetSize());
-  }
-  number += static_cast<vtkIdType>(mesh.GetStepVolume().size());
+  const vtkIdType number =
+    mesh.GetNumberOfSimplices() + static_cast<vtkIdType>(mesh.GetStepVolume().size());
   SimplexList list;
   list.Allocate(number, NumberOfPoints, mesh.GetPoints()->GetNumberOfPoints());
   auto* items = OutputCellArrays::Add<vtkIntArray>(output, "IntervalId", number);

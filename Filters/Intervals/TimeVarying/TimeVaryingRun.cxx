@@ -5,6 +5,7 @@
 #include "Common/ArrayMatch.h"
 #include "Static/DataSetLeaves.h"
 #include "Static/ExtractionInput.h"
+#include "TimeVarying/CriterionCut.h"
 #include "TimeVarying/ProjectedTetrahedra.h"
 #include "TimeVarying/TimeVaryingExtraction.h"
 #include "TimeVarying/TimeVaryingOutput.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace interlume
 {
@@ -26,19 +28,31 @@ namespace
 // Fraction of the progress assigned to the extraction. The rest is assigned to generating the
 // outputs.
 constexpr double ExtractionFraction = 0.7;
+
+std::vector<std::string> GetNames(const std::vector<TimeVaryingOptions::Criterion>& criteria)
+{
+  std::vector<std::string> names;
+  for (const TimeVaryingOptions::Criterion& criterion : criteria)
+  {
+    names.push_back(criterion.ArrayName);
+  }
+  return names;
+}
 }
 
 TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner,
   const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
-  const std::vector<int>& steps, const std::vector<double>& times, vtkIdType sizeWarningLimit)
+  const std::vector<int>& steps, const std::vector<double>& times, vtkIdType sizeWarningLimit,
+  std::function<Error(vtkDataSet*)> checkCriteria)
   : Owner(owner)
-  , Conversion(owner, 1)
+  , Conversion(owner, 1, GetNames(options.Criteria))
   , Intervals(intervals)
   , Values(ExtractionValues::ForIntervals(intervals))
   , Options(options)
   , Steps(steps)
   , Times(times)
   , Size(owner, sizeWarningLimit)
+  , CheckCriteria(std::move(checkCriteria))
 {
 }
 
@@ -77,7 +91,8 @@ Error TimeVaryingRun::FindScalars(vtkDataSet*& input, vtkDataArray*& scalars)
   input = selection.Data;
   scalars = vtkDataArray::SafeDownCast(selection.Array);
   return ExtractionInput::CheckScalars(input, selection.Array, selection.Association,
-    ExtractionInput::DescribeArrayToProcess(this->Owner));
+    ExtractionInput::DescribeArrayToProcess(this->Owner))
+    .Then([this, input] { return this->CheckCriteria ? this->CheckCriteria(input) : Error(); });
 }
 
 Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
@@ -191,7 +206,8 @@ void TimeVaryingRun::UpdateEmptyDiagnosis()
 {
   if (this->Report.Simplices > 0)
   {
-    this->Empty.Add(nullptr, nullptr, this->Report.Simplices);
+    this->Empty.Add(nullptr, nullptr, this->Report.Simplices - this->DiagnosedSimplices);
+    this->DiagnosedSimplices = this->Report.Simplices;
   }
   else if (this->NextStep > 0)
   {
@@ -282,6 +298,53 @@ Error TimeVaryingRun::AddLeafStep(
   return {};
 }
 
+bool TimeVaryingRun::ApplyCriteria(TimeVaryingMesh& mesh)
+{
+  using Settings = vtkTimeVaryingSettings;
+  const auto& isRequested = this->Options.Settings.GenerateBoundary;
+  int kind = Settings::NUMBER_OF_BOUNDARY_KINDS;
+  for (std::size_t number = 0; number < this->Options.Criteria.size() && mesh.GetPoints(); ++number)
+  {
+    const TimeVaryingOptions::Criterion& criterion = this->Options.Criteria[number];
+    this->Owner->SetProgressText(("Cutting at " + criterion.Words).c_str());
+    CriterionCut cut(mesh, criterion.ArrayName);
+    if (!cut.GetArray())
+    {
+      this->Warn("The output is empty, since the array \"" + criterion.ArrayName +
+        "\" of a criterion has different types at the time steps. Convert it to one type.");
+      return false;
+    }
+    const bool isExcluded = this->Options.ExcludesCriteria;
+    const CriterionCut::Half lower = { criterion.Lower, !isExcluded, isExcluded,
+      isRequested[Settings::LOWER_SURFACE_IN_TIME] ? kind : -1 };
+    const CriterionCut::Half upper = { criterion.Upper, isExcluded, isExcluded,
+      isRequested[Settings::UPPER_SURFACE_IN_TIME] ? kind + 1 : -1 };
+    kind += 2;
+    const vtkIdType before = mesh.GetNumberOfSimplices();
+    if (isExcluded)
+    {
+      cut.Execute({ lower, upper });
+    }
+    else
+    {
+      cut.Execute({ lower });
+      cut.Execute({ upper });
+    }
+    const vtkIdType after = mesh.GetNumberOfSimplices();
+    this->Report.Simplices += after - before;
+    this->Empty.AddCriterion(number, criterion.Words, cut.GetArray(), before, after);
+    if (this->Owner->GetAbortExecute())
+    {
+      return false;
+    }
+  }
+  if (!this->Options.Criteria.empty() && mesh.GetPoints())
+  {
+    mesh.RemoveUnusedPoints();
+  }
+  return true;
+}
+
 bool TimeVaryingRun::FillOutputs(
   vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices)
 {
@@ -305,6 +368,10 @@ bool TimeVaryingRun::FillOutputs(
     this->Owner->SetProgressShiftScale(ExtractionFraction + filled++ * fraction, fraction);
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
+    if (!this->ApplyCriteria(leaf->Mesh))
+    {
+      return false;
+    }
     leaf->Mesh.ResolveTiedBoundary();
     leaf->Mesh.CleanStepVolume();
     this->Report.Simplices -=

@@ -12,6 +12,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,10 +42,12 @@ public:
   };
 
   /// Starts a run. \a steps are the indices of the steps to use, and \a times their times. \a
-  /// sizeWarningLimit is a number of tetrahedra, or 0 for no warning.
+  /// sizeWarningLimit is a number of tetrahedra, or 0 for no warning. \a checkCriteria returns an
+  /// error if the arrays of the criteria are invalid in a dataset. It is null if there are none.
   TimeVaryingRun(vtkAlgorithm* owner, const std::vector<vtkIntervalList::Interval>& intervals,
     const TimeVaryingOptions& options, const std::vector<int>& steps,
-    const std::vector<double>& times, vtkIdType sizeWarningLimit);
+    const std::vector<double>& times, vtkIdType sizeWarningLimit,
+    std::function<Error(vtkDataSet*)> checkCriteria = nullptr);
 
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
@@ -84,6 +87,8 @@ private:
   };
 
   ExtractionContext MakeContext();
+  /// Cuts the mesh at the criteria. Returns false if the user aborted, or if an array was skipped.
+  bool ApplyCriteria(TimeVaryingMesh& mesh);
   Error AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
   void WarnAboutNonFinitePoints(const TimeStep& step, vtkDataSet* input);
   void UpdateEmptyDiagnosis();
@@ -103,7 +108,10 @@ private:
   std::vector<int> Steps;
   std::vector<double> Times;
   SizeWarning Size;
+  std::function<Error(vtkDataSet*)> CheckCriteria;
   TimeVaryingReport Report;
+  // Number of 4-simplices that the diagnosis of an empty output knows.
+  vtkIdType DiagnosedSimplices = 0;
   int NextStep = 0;
   // Number of folded cells of rectilinear grids, which the report includes in FoldedCells.
   vtkIdType FoldedInRows = 0;
