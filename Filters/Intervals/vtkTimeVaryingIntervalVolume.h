@@ -60,9 +60,8 @@ struct TimeVaryingReport;
  * `IntervalId`, `TimeSlab` and `AtStep` (unsigned char, see PartsAtStep). This is the input of
  * vtkSimplexTimeSlice. Adjacent slabs share their points.
  *
- * Values equal to a bound and distributed grids are treated as in vtkIntervalVolume. The active
- * scalars of each output are the processed array. The result does not depend on the number of
- * threads.
+ * Values equal to a bound and distributed grids are treated as in vtkIntervalVolume. The processed
+ * array is the active scalars. The result does not depend on the number of threads.
  *
  * Previews (PreviewCellLimit): the limit is the number of cells times the number of slabs. If there
  * are more, the preview uses fewer steps and coarser grids in turn. Copies of its steps remain in
@@ -73,8 +72,8 @@ struct TimeVaryingReport;
  *
  * Errors (vtkErrorMacro, empty output): fewer than two time steps, times that decrease or are not
  * finite, a zero projection direction, criteria with UNION, and the errors of vtkIntervalVolume. A
- * step without the scalar is an error, and so is a step whose grid type, points or cells differ in
- * number or connectivity from the previous step.
+ * step without the scalar is an error, and so is one whose grid type, number of points or cells, or
+ * connectivity differs from the previous step.
  *
  * Warnings (vtkWarningMacro): an array that is skipped because it is missing in a step or named
  * `DeltaT` or `Time`; a slab that is skipped because its duration is zero; an empty output (see
