@@ -9,7 +9,7 @@ from paraview import simple
 from extraction_measures import compare
 from plugin_testing import (
     as_set, fetch, leaves, output_in_place, read_extractions, run, temporal_source, time_varying_volume)
-from simplex_measures import simplices
+from simplex_measures import integrals, simplices
 
 PORTS = (("tetrahedra", "SimplexClass"), ("boundaries", "BoundaryKind"), ("simplices", "TimeSlab"))
 
@@ -73,6 +73,28 @@ def check_composite(checks, extraction):
         checks.that(numpy.array_equal(found, expected), "the second leaf equals the output without a group")
 
 
+def check_criteria(checks, extraction):
+    """Tests that the parts that satisfy a criterion, and that do not, together have the extent of all."""
+    source = temporal_source(extraction["source"], extraction["source_properties"])
+    calculator = simple.Calculator(Input=source, ResultArrayName="side", Function="coordsX")
+    calculator.UpdatePipeline()
+    volume = time_varying_volume(calculator, extraction["properties"])
+
+    def extent():
+        return integrals(fetch(volume), "DeltaT").sum()
+
+    everything = extent()
+    low, high = fetch(volume).GetPointData().GetArray("side").GetRange()
+    bound = low + 0.4 * (high - low)
+    volume.Criteria = ["side", str(low), str(bound)]
+    inside = extent()
+    checks.that(fetch(volume).GetPointData().GetArray("side").GetRange()[1] < bound + 1e-4 * (high - low), "values")
+    volume.CombineCriteria = "Difference"
+    outside = extent()
+    checks.that(0 < inside < everything and abs(inside + outside - everything) <= 1e-5 * everything,
+                f"parts of a criterion: {inside} and {outside} of {everything}")
+
+
 def main(checks):
     extractions = read_extractions("time_varying.json")
     for number, extraction in enumerate(extractions):
@@ -81,6 +103,7 @@ def main(checks):
         repeat(checks, name, extraction)
     check_time(checks, extractions[0])
     check_composite(checks, extractions[0])
+    check_criteria(checks, extractions[0])
 
 
 run(main)
