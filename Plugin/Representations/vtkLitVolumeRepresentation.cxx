@@ -69,12 +69,19 @@ void vtkLitVolumeRepresentation::SetProjectiveLightImage(vtkTexture* texture)
 
 void vtkLitVolumeRepresentation::SetAreaLightWidth(double width)
 {
-  this->AreaLight->SetSize(width, this->AreaLight->GetSize()[1]);
+  // ParaView proposes a negative length for data without bounds.
+  if (!(width < 0.0))
+  {
+    this->AreaLight->SetSize(width, this->AreaLight->GetSize()[1]);
+  }
 }
 
 void vtkLitVolumeRepresentation::SetAreaLightHeight(double height)
 {
-  this->AreaLight->SetSize(this->AreaLight->GetSize()[0], height);
+  if (!(height < 0.0))
+  {
+    this->AreaLight->SetSize(this->AreaLight->GetSize()[0], height);
+  }
 }
 
 void vtkLitVolumeRepresentation::SetAreaLightImage(vtkTexture* texture)

@@ -292,7 +292,18 @@ def check_handles(checks, view):
     checks.equal(handles.get("Width"), [0.0], "the width is not negative")
 
 
+def check_no_bounds():
+    """Tests that data without bounds, for which ParaView proposes a negative size of the light, cause no error."""
+    view = plain_view()
+    display = simple.Show(producer(vtkImageData()), view)
+    display.SetRepresentationType("Shadowed Slices")
+    display.AreaLight = True
+    snapshot(view)
+    simple.Delete(view)
+
+
 def main(checks):
+    check_no_bounds()
     check_defaults(checks)
     view, slab, display = make_scene()
     check_width(checks, view, display)
