@@ -33,8 +33,9 @@ namespace
 using namespace interlume;
 
 /// Returns a digest of all data of a time step that the extraction uses. \a scalars is the array to
-/// process.
-std::string GetDigest(vtkDataSet* step, vtkAbstractArray* scalars, int association)
+/// process, and \a criteria are the names of the arrays of criteria.
+std::string GetDigest(vtkDataSet* step, vtkAbstractArray* scalars, int association,
+  const std::vector<std::string>& criteria)
 {
   DataDigest digest;
   digest.AddGrid(step);
@@ -50,6 +51,14 @@ std::string GetDigest(vtkDataSet* step, vtkAbstractArray* scalars, int associati
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
     digest.Add(vtkDataArray::SafeDownCast(scalars));
+  }
+  for (const std::string& name : criteria)
+  {
+    const CellArrayConversion::Selection found = CellArrayConversion::FindByName(step, name);
+    if (found.Association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    {
+      digest.Add(vtkDataArray::SafeDownCast(found.Array));
+    }
   }
   return digest.Take();
 }
@@ -112,7 +121,7 @@ void vtkTimeSlabWriter::AddDigest(double time, vtkDataSet* step)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkAbstractArray* scalars = CellArrayConversion::FindRequested(this, step, association);
-  this->StepDigests[time] = GetDigest(step, scalars, association);
+  this->StepDigests[time] = GetDigest(step, scalars, association, this->GetCriteriaArrayNames());
 }
 
 std::vector<vtkTimeSlabWriter::Port> vtkTimeSlabWriter::GetPorts(const std::vector<bool>& kinds)
@@ -265,6 +274,16 @@ Fingerprint vtkTimeSlabWriter::MakeFingerprint(std::size_t slab, const double* t
     fingerprint.Add("interval " + std::to_string(i), WriteOut(bounds, 2));
   }
   fingerprint.Add("number of intervals", std::to_string(this->GetNumberOfIntervals()));
+  for (int i = 0; i < this->GetNumberOfCriteria(); ++i)
+  {
+    double bounds[2];
+    this->GetCriterionRange(i, bounds[0], bounds[1]);
+    fingerprint.Add("criterion " + std::to_string(i),
+      this->GetCriterionArrayName(i) + (" " + WriteOut(bounds, 2)));
+  }
+  fingerprint.Add("criteria",
+    std::to_string(this->GetNumberOfCriteria()) + " of operation " +
+      std::to_string(this->GetCriteriaOperation()));
   double direction[4];
   this->GetProjectionDirection(direction);
   fingerprint.Add("ProjectionDirection", WriteOut(direction, 4));

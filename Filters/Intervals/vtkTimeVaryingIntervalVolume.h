@@ -138,9 +138,9 @@ public:
 
   /**
    * Estimate the number of tetrahedra that an execution with the current settings creates. Updates
-   * the input at up to twelve time steps, and extracts a sample of cells. Returns 0 if an execution
-   * would report an error. With several processes, the number refers to this process, and all
-   * processes must call the function.
+   * the input at up to twelve time steps, and extracts a sample of cells. Criteria are ignored.
+   * Returns 0 if an execution would report an error. With several processes, the number refers to
+   * this process, and all processes must call the function.
    */
   vtkIdType EstimateNumberOfTetrahedra();
 

@@ -214,6 +214,28 @@ void TestResume(const files::path& folder, Check& check)
   check.That(
     warning.find("it differs in data at time 0.5") != std::string::npos, "data in " + warning);
   WriteAgain(folder, NumberOfSteps - 1, check);
+
+  check.SetContext("a criterion");
+  vtkNew<vtkTimeSlabWriter> restricted;
+  SetAll(restricted);
+  restricted->GetInputAlgorithm()->Update();
+  const std::string name =
+    vtkDataSet::SafeDownCast(restricted->GetInputAlgorithm()->GetOutputDataObject(0))
+      ->GetPointData()
+      ->GetArrayName(0);
+  restricted->AddCriterion(name.c_str(), -1e9, 1e9);
+  restricted->SetFileName((folder / "vortex.vtm").string().c_str());
+  vtkNew<vtkTest::ErrorObserver> changes;
+  restricted->AddObserver(vtkCommand::WarningEvent, changes);
+  restricted->Write();
+  check.Equal(
+    restricted->GetNumberOfResumedSlabs(), 0, "slabs without the criterion that are reused");
+  warning = changes->GetWarningMessage();
+  check.That(warning.find("criterion 0") != std::string::npos, "the criterion in " + warning);
+  restricted->Write();
+  check.Equal(
+    restricted->GetNumberOfResumedSlabs(), NumberOfSteps - 1, "slabs with the same criterion");
+  WriteAgain(folder, NumberOfSteps - 1, check);
 }
 
 /// Counts progress events. Halfway, kills the process or aborts the execution.
