@@ -183,7 +183,7 @@ public:
 
   /**
    * Return the report of the last execution:
-   * - Cells, CellsWithOutput: number of input cells, and of cells with output
+   * - Cells, CellsWithOutput: number of input cells, and of cells with output before criteria
    * - BlankedCells: cells skipped because the cell or one of its points is blanked, hidden or a
    *   ghost
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite

@@ -24,7 +24,8 @@ class Fingerprint;
  * that filter and call Write(). All slabs together contain the tetrahedra, boundaries and
  * 4-simplices of a single extraction of all steps, with the same values of `TimeSlab`. Points at a
  * step are stored in both adjacent slabs. If values at a step equal a bound, boundaries and
- * `AtStep` cells at that step are computed from each slab separately.
+ * `AtStep` cells at that step are computed from each slab separately. Criteria may split the same
+ * region into other simplices.
  *
  * Files, for FileName vortex.vtm: one file per slab in VTK's XML format, vortex/vortex_0.vtu,
  * vortex/vortex_1.vtu, ..., and the index vortex.vtm, a vtkMultiBlockDataSet whose blocks are named

@@ -145,6 +145,15 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckOperation() const
            "DIFFERENCE, "
            "or append the intervals of the other array from a second filter.";
   }
+  for (const std::string& name : this->GetCriteriaArrayNames())
+  {
+    if (name.empty() || name == "Time" || name == "DeltaT")
+    {
+      return "The array \"" + name +
+        "\" of a criterion has no name, or the name of an array that this filter creates (Time or "
+        "DeltaT). Rename it.";
+    }
+  }
   return {};
 }
 
@@ -251,7 +260,7 @@ std::unique_ptr<interlume::SeriesEstimate> vtkTimeVaryingIntervalVolume::Estimat
   }
   this->UpdateInformation();
   const std::vector<int> steps = this->GetSelectedSteps(1);
-  if (this->CheckTimes(steps) || this->CheckDirection() ||
+  if (this->CheckTimes(steps) || this->CheckDirection() || this->CheckOperation() ||
     interlume::ExtractionInput::CheckIntervals(this->GetIntervals()))
   {
     return nullptr;

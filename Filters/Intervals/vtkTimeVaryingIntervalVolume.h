@@ -138,9 +138,10 @@ public:
 
   /**
    * Estimate the number of tetrahedra that an execution with the current settings creates. Updates
-   * the input at up to twelve time steps, and extracts a sample of cells. Criteria are ignored.
-   * Returns 0 if an execution would report an error. With several processes, the number refers to
-   * this process, and all processes must call the function.
+   * the input at up to twelve time steps, and extracts a sample of cells. The number does
+   * not consider criteria, nor does the warning about a large output. Returns 0 if an execution
+   * would report an error, except about the array of a criterion. With several processes, the
+   * number refers to this process, and all processes must call the function.
    */
   vtkIdType EstimateNumberOfTetrahedra();
 
@@ -198,7 +199,7 @@ public:
   /**
    * Return the report of the last execution, summed over the slabs:
    * - TimeSteps, Slabs: number of requested time steps, and of slabs that were not skipped
-   * - CellsWithOutput: cells with at least one simplex
+   * - CellsWithOutput: cells with at least one simplex, before criteria
    * - BlankedCells: cells skipped because the cell or one of its points is blanked, hidden or a
    *   ghost
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite

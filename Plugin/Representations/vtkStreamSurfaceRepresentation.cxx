@@ -19,15 +19,17 @@ vtkStandardNewMacro(vtkStreamSurfaceRepresentation);
 namespace
 {
 /// Returns whether all blocks with points have texture coordinates for lines.
-bool HasLineCoordinates(vtkDataObject* surfaces)
+bool HasLineCoordinates(vtkDataObject* surfaces, bool hasTimelines)
 {
   const std::vector<vtkDataSet*> blocks = vtkCompositeDataSet::GetDataSets(surfaces);
   return std::all_of(blocks.begin(), blocks.end(),
-    [](vtkDataSet* block)
+    [hasTimelines](vtkDataSet* block)
     {
       vtkDataArray* const coordinates = block->GetPointData()->GetTCoords();
       return block->GetNumberOfPoints() == 0 ||
-        (coordinates && coordinates->GetNumberOfComponents() <= 2);
+        (coordinates &&
+          (coordinates->GetNumberOfComponents() == 2 ||
+            (coordinates->GetNumberOfComponents() == 1 && !hasTimelines)));
     });
 }
 }
@@ -71,8 +73,17 @@ void vtkStreamSurfaceRepresentation::SetTexture(vtkTexture* image)
   this->UpdateTextures();
 }
 
+void vtkStreamSurfaceRepresentation::SetInterpolateScalarsBeforeMapping(int on)
+{
+  this->InterpolatesScalars = on;
+  this->UpdateTextures();
+}
+
 void vtkStreamSurfaceRepresentation::UpdateTextures()
 {
+  // VTK would use the coordinates of the colors for the lines.
+  const bool hasLines = this->HasCoordinates && (this->Streamlines || this->Timelines);
+  this->Superclass::SetInterpolateScalarsBeforeMapping(hasLines ? 0 : this->InterpolatesScalars);
   vtkStreamlineTexture::AddTo(this->Actor,
     this->Streamlines && this->HasCoordinates ? this->StreamlineTexture : nullptr,
     this->Timelines && this->HasCoordinates ? this->TimelineTexture : nullptr, this->Image);
@@ -87,12 +98,13 @@ void vtkStreamSurfaceRepresentation::UpdateColoringParameters()
   {
     return;
   }
-  const bool hasCoordinates = HasLineCoordinates(surfaces);
+  const bool hasCoordinates = HasLineCoordinates(surfaces, this->Timelines);
   if (this->HasCoordinates && !hasCoordinates)
   {
-    vtkErrorMacro("Lines need texture coordinates with one or two components, but the data have "
-                  "none. Apply \"Stream Surface Parameters\", or turn on \"Parameters As Texture "
-                  "Coordinates\" of \"Flow Volume\".");
+    vtkErrorMacro(
+      "Lines need texture coordinates with two components, or one for streamlines, but "
+      "the data have none. Apply \"Stream Surface Parameters\", or turn on \"Parameters As Texture "
+      "Coordinates\" of \"Flow Volume\".");
   }
   if (this->HasCoordinates != hasCoordinates)
   {

@@ -44,6 +44,8 @@ public:
   ///@}
 
   void SetTexture(vtkTexture* image) override;
+  /// Ignored while lines are drawn.
+  void SetInterpolateScalarsBeforeMapping(int on) override;
 
 protected:
   vtkStreamSurfaceRepresentation();
@@ -62,6 +64,7 @@ private:
   bool Streamlines = true;
   bool Timelines = false;
   bool HasCoordinates = true;
+  int InterpolatesScalars = 0;
   vtkSmartPointer<vtkStreamlineTexture> StreamlineTexture;
   vtkSmartPointer<vtkStreamlineTexture> TimelineTexture;
   vtkSmartPointer<vtkTexture> Image;

@@ -9,6 +9,8 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkStreamSurfaceMapper);
 
 vtkStreamSurfaceMapper::vtkStreamSurfaceMapper()
@@ -33,11 +35,11 @@ std::vector<std::pair<vtkTexture*, std::string>> vtkStreamSurfaceMapper::GetLine
   std::vector<std::pair<vtkTexture*, std::string>> textures;
   if (this->Streamlines)
   {
-    textures.emplace_back(this->StreamlineTexture, "streamlines");
+    textures.emplace_back(this->StreamlineTexture, "streamlinesOfMapper");
   }
   if (this->Timelines)
   {
-    textures.emplace_back(this->TimelineTexture, "timelines");
+    textures.emplace_back(this->TimelineTexture, "timelinesOfMapper");
   }
   return textures;
 }
@@ -63,20 +65,39 @@ bool vtkStreamSurfaceMapper::CheckCoordinates()
 {
   vtkDataArray* const coordinates = this->CurrentInput->GetPointData()->GetTCoords();
   const int components = coordinates ? coordinates->GetNumberOfComponents() : 0;
-  if (components == 1 || components == 2)
+  if (components == 2 || (components == 1 && !this->Timelines))
   {
     return true;
   }
-  const vtkMTimeType time = this->CurrentInput->GetMTime();
+  const vtkMTimeType time = std::max(this->CurrentInput->GetMTime(), this->GetMTime());
   if (this->CurrentInput->GetNumberOfPoints() > 0 && this->FaultyTime != time)
   {
     this->FaultyTime = time;
-    vtkErrorMacro("Lines need texture coordinates with one or two components, but the input has "
-      << (coordinates ? "three" : "none")
+    vtkErrorMacro(
+      << (this->Timelines ? "Timelines need texture coordinates with two components"
+                          : "Lines need texture coordinates with one or two components")
+      << ", but the number of components is " << components
       << ". Use vtkStreamSurfaceParameters, or turn on ParametersAsTextureCoordinates of "
          "vtkFlowVolume.");
   }
   return false;
+}
+
+int vtkStreamSurfaceMapper::CanUseTextureMapForColoring(vtkDataObject* input)
+{
+  return this->GetLineTextures().empty() ? this->Superclass::CanUseTextureMapForColoring(input) : 0;
+}
+
+void vtkStreamSurfaceMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkStreamSurfaceMapper::SafeDownCast(mapper))
+  {
+    this->SetStreamlines(other->Streamlines);
+    this->SetTimelines(other->Timelines);
+    this->StreamlineTexture->CopySettings(other->StreamlineTexture);
+    this->TimelineTexture->CopySettings(other->TimelineTexture);
+  }
+  this->Superclass::ShallowCopy(mapper);
 }
 
 void vtkStreamSurfaceMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)

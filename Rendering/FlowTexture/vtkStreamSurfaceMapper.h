@@ -28,10 +28,11 @@ class vtkStreamlineTexture;
  * mapper, such as one of composite data, use vtkStreamlineTexture::AddTo.
  *
  * If both kinds of lines are off, no texture is uploaded, and shaders are those of
- * vtkPolyDataMapper.
+ * vtkPolyDataMapper. If lines are on, InterpolateScalarsBeforeMapping has no effect, since VTK
+ * would use the coordinates of its colors for the lines.
  *
- * Errors (vtkErrorMacro, the surface is drawn without lines): missing texture coordinates, or ones
- * with three components.
+ * Errors (vtkErrorMacro, the surface is drawn without lines): texture coordinates that are missing
+ * or have three components, and timelines if the texture coordinates have one component.
  *
  * @sa vtkStreamlineTexture vtkStreamSurfaceParameters vtkFlowLIC
  */
@@ -69,6 +70,8 @@ public:
   vtkStreamlineTexture* GetTimelineTexture();
   ///@}
 
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+  int CanUseTextureMapForColoring(vtkDataObject* input) override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

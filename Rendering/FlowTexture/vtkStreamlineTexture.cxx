@@ -95,6 +95,17 @@ void vtkStreamlineTexture::AddTo(vtkActor* actor, vtkStreamlineTexture* streamli
   actor->SetTexture(lowest);
 }
 
+void vtkStreamlineTexture::CopySettings(vtkStreamlineTexture* other)
+{
+  this->SetDirection(other->Direction);
+  this->SetNumberOfLines(other->NumberOfLines);
+  this->SetLineWidth(other->LineWidth);
+  this->SetOffset(other->Offset);
+  this->SetTexelsPerLine(other->TexelsPerLine);
+  this->SetLineColor(other->LineColor);
+  this->SetBackgroundColor(other->BackgroundColor);
+}
+
 void vtkStreamlineTexture::Render(vtkRenderer* renderer)
 {
   this->Load(renderer);
@@ -144,8 +155,10 @@ void vtkStreamlineTexture::Upload()
   {
     pyramid.NumberOfLines /= 2;
   }
-  if (pyramid.NumberOfLines != this->NumberOfLines)
+  const std::pair<int, int> size(this->NumberOfLines, this->TexelsPerLine);
+  if (pyramid.NumberOfLines != this->NumberOfLines && this->TooLarge != size)
   {
+    this->TooLarge = size;
     vtkErrorMacro("OpenGL's maximum texture size does not allow "
       << this->NumberOfLines << " lines of " << this->TexelsPerLine
       << " texels. The texture has only " << pyramid.NumberOfLines

@@ -5,6 +5,8 @@
 #include "InterlumeFlowTextureModule.h" // for the export macro
 #include "vtkOpenGLTexture.h"
 
+#include <utility> // for errors
+
 class vtkActor;
 
 /**
@@ -23,9 +25,9 @@ class vtkActor;
  *
  * Like other textures of an actor, the texture multiplies the surface's color after lighting. A
  * white background keeps this color; with a background of opacity 0 only the lines are visible.
- * Colors that the mapper itself looks up in a texture (InterpolateScalarsBeforeMapping) are not
- * multiplied, a limitation of vtkOpenGLPolyDataMapper. The surface needs active texture coordinates
- * with one or two components.
+ * Turn off InterpolateScalarsBeforeMapping of the mapper: vtkOpenGLPolyDataMapper would use the
+ * coordinates of its colors for the lines. The surface needs active texture coordinates with one or
+ * two components.
  *
  * A **grid** of streamlines and timelines requires two textures, see AddTo and
  * vtkStreamSurfaceMapper. In a single texture both directions would share one mipmap level.
@@ -121,11 +123,14 @@ public:
 
   /**
    * Sets the textures of \a actor: \a below, with \a streamlines and \a timelines over it. Each
-   * argument may be null. The lowest of them becomes the actor's texture, and the others become
+   * texture may be null. The lowest of them becomes the actor's texture, and the others become
    * textures `streamlines` and `timelines` of its property.
    */
   static void AddTo(vtkActor* actor, vtkStreamlineTexture* streamlines,
     vtkStreamlineTexture* timelines, vtkTexture* below = nullptr);
+
+  /// Copies the settings of the lines of another texture.
+  void CopySettings(vtkStreamlineTexture* other);
 
   /// Returns the number of uploads of this texture.
   vtkGetMacro(NumberOfUploads, int);
@@ -158,6 +163,8 @@ private:
   double LineColor[3] = { 0.0, 0.0, 0.0 };
   double BackgroundColor[4] = { 1.0, 1.0, 1.0, 1.0 };
   int NumberOfUploads = 0;
+  /// Number and distance of lines with an error, which is reported once.
+  std::pair<int, int> TooLarge;
 };
 
 #endif

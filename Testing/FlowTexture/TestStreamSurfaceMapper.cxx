@@ -80,6 +80,8 @@ void TestOffset(Check& check)
   check.That(after != before, "lines move");
   lines->SetOffset(-5.0 / 8.0);
   check.That(surface.Quad.Draw(true) == before, "an offset by whole distances changes nothing");
+  lines->SetOffset(-1e300);
+  check.That(surface.Quad.Draw(true) == before, "an offset by a huge whole number");
 }
 
 void SetLines(vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
@@ -164,6 +166,47 @@ void TestTexture(Check& check)
   expect("colored background", 0.4, 0.4);
 }
 
+/// Lines of textures on the actor and of the mapper combine, and colors that VTK looks up in a
+/// texture do not change the lines.
+void TestOtherTextures(Check& check)
+{
+  check.SetContext("other textures");
+  Surface surface;
+  surface.Draws->GetStreamlineTexture()->SetNumberOfLines(8);
+  Surface both;
+  both.Draws->GetStreamlineTexture()->SetNumberOfLines(8);
+  vtkNew<vtkStreamlineTexture> streamlines;
+  vtkNew<vtkStreamlineTexture> timelines;
+  for (vtkStreamlineTexture* texture : { streamlines.Get(), timelines.Get() })
+  {
+    texture->SetNumberOfLines(8);
+    texture->SetLineColor(1.0, 1.0, 1.0);
+  }
+  timelines->SetDirection(vtkStreamlineTexture::T);
+  vtkStreamlineTexture::AddTo(both.Quad.Actor, streamlines, timelines);
+  both.Draws->TimelinesOn();
+  both.Draws->GetTimelineTexture()->SetLineWidth(0.0);
+  check.That(both.Quad.Draw() == surface.Quad.Draw(), "white lines change nothing");
+
+  vtkNew<vtkFloatArray> values;
+  for (vtkIdType i = 0; i < surface.Quad.Data->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<float>(i % 2));
+  }
+  surface.Quad.Data->GetPointData()->SetScalars(values);
+  const StripedQuad::Row row = surface.Quad.Draw();
+  surface.Draws->InterpolateScalarsBeforeMappingOn();
+  check.That(surface.Quad.Draw() == row, "colors of a lookup table as a texture");
+
+  Surface copy;
+  // VTK 9.1 calls its own deprecated functions here.
+  vtkObject::GlobalWarningDisplayOff();
+  copy.Draws->ShallowCopy(surface.Draws);
+  vtkObject::GlobalWarningDisplayOn();
+  copy.Draws->SetInputData(surface.Quad.Data);
+  check.That(copy.Quad.Draw() == row, "a shallow copy");
+}
+
 void TestTranslucent(Check& check)
 {
   check.SetContext("translucent");
@@ -214,7 +257,7 @@ void TestErrors(Check& check)
   StripedQuad::Row row;
   const auto draw = [&] { row = surface.Quad.Draw(); };
   const std::string errors = CaptureErrors(surface.Draws, draw);
-  check.Contains(errors, "the input has none");
+  check.Contains(errors, "the number of components is 0");
   check.That(row == plain, "no coordinates: the surface without lines");
   check.That(CaptureErrors(surface.Draws, draw).empty(), "one error for an input");
   vtkNew<vtkFloatArray> three;
@@ -222,11 +265,21 @@ void TestErrors(Check& check)
   three->SetNumberOfTuples(surface.Quad.Data->GetNumberOfPoints());
   three->Fill(0.0);
   surface.Quad.Data->GetPointData()->SetTCoords(three);
-  check.Contains(CaptureErrors(surface.Draws, draw), "the input has three");
+  check.Contains(CaptureErrors(surface.Draws, draw), "the number of components is 3");
   check.That(row == plain, "three components: the surface without lines");
   surface.Quad.Data->GetPointData()->SetTCoords(coordinates);
   check.That(CaptureErrors(surface.Draws, draw).empty(), "no error");
   check.That(row == striped, "lines again");
+  vtkNew<vtkFloatArray> one;
+  one->SetNumberOfTuples(surface.Quad.Data->GetNumberOfPoints());
+  one->CopyComponent(0, coordinates, 0);
+  surface.Quad.Data->GetPointData()->SetTCoords(one);
+  check.That(CaptureErrors(surface.Draws, draw).empty(), "streamlines need one component");
+  check.That(row == striped, "streamlines of one component");
+  surface.Draws->TimelinesOn();
+  check.Contains(
+    CaptureErrors(surface.Draws, draw), "Timelines need texture coordinates with two components");
+  surface.Draws->TimelinesOff();
   vtkNew<vtkPolyData> empty;
   surface.Draws->SetInputData(empty);
   check.That(CaptureErrors(surface.Draws, draw).empty(), "an empty input has no lines");
@@ -289,6 +342,7 @@ int TestStreamSurfaceMapper(int, char*[])
   TestOffset(check);
   TestImages(check);
   TestTexture(check);
+  TestOtherTextures(check);
   TestTranslucent(check);
   TestOff(check);
   TestErrors(check);

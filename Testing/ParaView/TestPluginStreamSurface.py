@@ -36,7 +36,7 @@ def show(source):
 
 def count_lines(view, axis):
     """Returns the number of dark lines along the center of the image."""
-    shot = snapshot(view)[:, 0].reshape(SIDE, SIDE)
+    shot = snapshot(view).max(axis=1).reshape(SIDE, SIDE)
     row = shot[SIDE // 2 + 3] if axis == 0 else shot[:, SIDE // 2 + 3]
     return int(((row[:-1] >= 100) & (row[1:] < 100)).sum())
 
@@ -51,6 +51,16 @@ def check_zoom(checks):
     display.Timelines = 1
     checks.that(abs(count_lines(view, 1) - SIDE / 16) <= 1, "timelines")
     checks.that(count_lines(view, 0) == 0, "no streamlines")
+
+
+def check_colors(checks):
+    """Tests that lines remain if an array is shown, whose colors ParaView looks up in a texture by default."""
+    view, display = show(simple.Elevation(Input=simple.Plane()))
+    color_by(display, ["POINTS", "Elevation"])
+    display.SetScalarBarVisibility(view, False)
+    count = count_lines(view, 0)
+    checks.that(abs(count - SIDE / 16) <= 1, f"{count} streamlines on colors")
+    checks.that(count_lines(view, 1) == 0, "no timelines on colors")
 
 
 def check_properties(checks):
@@ -113,6 +123,7 @@ def check_errors(checks):
 
 def main(checks):
     check_zoom(checks)
+    check_colors(checks)
     check_properties(checks)
     check_errors(checks)
     check_state(checks, sys.argv[1])

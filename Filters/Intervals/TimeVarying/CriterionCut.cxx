@@ -218,6 +218,36 @@ bool CriterionCut::IsFinite(const vtkIdType* ids, std::size_t number) const
     ids, ids + number, [this](vtkIdType id) { return std::isfinite(this->Values[id]); });
 }
 
+void CriterionCut::FindDroppedFaces()
+{
+  this->Dropped.clear();
+  for (const TimeVaryingMesh::Slab& slab : this->Mesh.Slabs)
+  {
+    for (std::size_t s = 0; s < slab.Simplices.GetSize(); ++s)
+    {
+      TimeVaryingMesh::Simplex ids = slab.Simplices[s];
+      if (this->IsFinite(ids.data(), ids.size()))
+      {
+        continue;
+      }
+      std::sort(ids.begin(), ids.end());
+      for (int i = 0; i < 5; ++i)
+      {
+        std::array<vtkIdType, 4> face;
+        std::copy(ids.begin() + i + 1, ids.end(), std::copy_n(ids.begin(), i, face.begin()));
+        this->Dropped.insert(face);
+        for (int j = 0; j < 4; ++j)
+        {
+          std::array<vtkIdType, 4> triangle{ { -1 } };
+          std::copy(
+            face.begin() + j + 1, face.end(), std::copy_n(face.begin(), j, triangle.begin() + 1));
+          this->Dropped.insert(triangle);
+        }
+      }
+    }
+  }
+}
+
 void CriterionCut::CutSlab(TimeVaryingMesh::Slab& slab, std::vector<BoundaryCell>& boundary)
 {
   std::vector<TimeVaryingMesh::Simplex> parts;
@@ -270,7 +300,10 @@ void CriterionCut::CutCells(std::vector<BoundaryCell>& cells)
   for (const BoundaryCell& cell : cells)
   {
     const std::size_t size = cell.Ids[3] < 0 ? 3 : 4;
-    if (!this->IsFinite(cell.Ids.data(), size))
+    std::array<vtkIdType, 4> face = cell.Ids;
+    std::sort(face.begin(), face.end());
+    if (!this->IsFinite(cell.Ids.data(), size) ||
+      (!this->Dropped.empty() && this->Dropped.count(face) > 0))
     {
       continue;
     }
@@ -316,6 +349,7 @@ void CriterionCut::Execute(const std::vector<Half>& halves)
   {
     this->Values[p] = this->Array->GetComponent(p, 0);
   }
+  this->FindDroppedFaces();
   this->CutCells(this->Mesh.Boundary);
   this->CutCells(this->Mesh.StepVolume);
   for (TimeVaryingMesh::Slab& slab : this->Mesh.Slabs)

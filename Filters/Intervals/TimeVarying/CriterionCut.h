@@ -5,6 +5,7 @@
 #include "TimeVarying/TimeVaryingMesh.h"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -58,6 +59,8 @@ private:
   /// Calls addFace(ids, true) if all points but one of a simplex in a half have the bound.
   template <std::size_t Size, typename AddFace>
   void FindFace(const std::array<vtkIdType, Size>& ids, const Half& half, AddFace&& addFace) const;
+  /// Finds the faces of simplices with a value that is not finite.
+  void FindDroppedFaces();
   void CutSlab(TimeVaryingMesh::Slab& slab, std::vector<BoundaryCell>& boundary);
   void CutCells(std::vector<BoundaryCell>& cells);
   /// Returns the point on the edge between a point in a half and a point outside of it.
@@ -70,6 +73,8 @@ private:
   vtkDataArray* Array;
   std::vector<double> Values;
   std::vector<Half> Halves;
+  /// Sorted point ids of dropped tetrahedra and, with -1 as the first id, triangles.
+  std::set<std::array<vtkIdType, 4>> Dropped;
   std::vector<ExtractionPoint> Points;
   /// Bounds at the new points.
   std::vector<double> Bounds;

@@ -29,10 +29,10 @@ public:
   using Kinds = vtkTimeVaryingSettings::BoundaryKinds;
 
   /**
-   * Calls visit(kind, slots, number) for each boundary cell of a kind that \a mesh requires. The
-   * slots of the 4-simplex must be distinct points. If the 4-simplex is positively oriented,
-   * tetrahedra at a step and triangles are oriented as in vtkIntervalVolume, and tetrahedra in time
-   * are oriented outward.
+   * Calls visit(kind, slots, number) for each boundary cell of a kind that \a mesh requires, and
+   * for tetrahedra at both steps if TimeVaryingMesh::HasStepVolumes(). The slots of the 4-simplex
+   * must be distinct points. If the 4-simplex is positively oriented, tetrahedra at a step and
+   * triangles are oriented as in vtkIntervalVolume, and tetrahedra in time are oriented outward.
    */
   template <typename Visitor>
   static void ForEach(const SpaceTimeSlots& slots, const Simplex& points,
@@ -49,7 +49,7 @@ public:
       {
         ids[k] = points[face[k]];
       }
-      if (mesh.IsRequired(kind))
+      if (mesh.IsRequired(kind) || (mesh.HasStepVolumes() && TimeVaryingMesh::IsVolume(kind)))
       {
         visit(kind, ids, number);
       }

@@ -282,7 +282,9 @@ public:
       }
     };
     note(slab.Items, found.Item);
-    note(slab.Ties, static_cast<std::uint8_t>(!found.IsPlain && local.Own.IsMerged));
+    note(slab.Ties,
+      static_cast<std::uint8_t>(
+        this->Mesh.HasStepVolumes() || (!found.IsPlain && local.Own.IsMerged)));
     note(slab.Duplicates, static_cast<std::uint8_t>(isDuplicate));
     if (!this->MarksFlat)
     {
@@ -341,7 +343,17 @@ public:
       return;
     }
     const auto add = [&](int kind, const Slot* slots, int number)
-    { chunk.Boundary.push_back(make(kind, slots, number)); };
+    {
+      const auto made = make(kind, slots, number);
+      if (this->Mesh.IsRequired(kind))
+      {
+        chunk.Boundary.push_back(made);
+      }
+      if (this->Mesh.HasStepVolumes() && TimeVaryingMesh::IsVolume(kind))
+      {
+        chunk.StepVolume.push_back(made);
+      }
+    };
     for (const Simplex& simplex : found.IsPlain ? found.Case->Simplices : cut.Simplices)
     {
       TimeVaryingBoundary::ForEach(this->Cutter.GetSlots(cell.Shape), simplex, this->Mesh, add);
@@ -477,7 +489,8 @@ public:
         }
       }
       next += static_cast<vtkIdType>(simplices.size());
-      if (this->HasBoundary || (isMerged && this->Mesh.GetOptions().Settings.GenerateSimplices))
+      if (this->HasBoundary || this->Mesh.HasStepVolumes() ||
+        (isMerged && this->Mesh.GetOptions().Settings.GenerateSimplices))
       {
         this->Writer.WriteBoundary(cell, found, local.Own, ids, isInverted, isDuplicate, chunk);
       }

@@ -49,8 +49,8 @@ public:
     /// The degenerate facets of each 4-simplex (see SimplexProjection). Empty if no projection is
     /// requested.
     ExtractionBuffer<std::uint8_t> Flats;
-    /// For each 4-simplex, 1 if values equal a bound in its cell. Empty if 4-simplices are not
-    /// requested.
+    /// For each 4-simplex, 1 if values equal a bound in its cell, or if there are criteria. Empty
+    /// if 4-simplices are not requested.
     ExtractionBuffer<std::uint8_t> Ties;
     /// For each 4-simplex, 1 if its cell belongs to another piece. Empty if no such cell was
     /// extracted.
@@ -97,6 +97,12 @@ public:
   bool IsRequiredIfTied(int kind) const
   {
     return this->IsRequired(kind) || (this->Options.Settings.GenerateSimplices && IsVolume(kind));
+  }
+  /// Returns true if the volume at both steps is required from all cells: 4-simplices do not tell
+  /// where a criterion touches its bound at a step only.
+  bool HasStepVolumes() const
+  {
+    return this->Options.Settings.GenerateSimplices && !this->Options.Criteria.empty();
   }
   static bool IsVolume(int kind)
   {

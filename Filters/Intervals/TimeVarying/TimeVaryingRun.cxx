@@ -311,7 +311,7 @@ bool TimeVaryingRun::ApplyCriteria(TimeVaryingMesh& mesh)
     if (!cut.GetArray())
     {
       this->Warn("The output is empty, since the array \"" + criterion.ArrayName +
-        "\" of a criterion has different types at the time steps. Convert it to one type.");
+        "\" of a criterion cannot be interpolated between the time steps. Convert it to one type.");
       return false;
     }
     const bool isExcluded = this->Options.ExcludesCriteria;
@@ -360,7 +360,6 @@ bool TimeVaryingRun::FillOutputs(
     bytes += leaf->Mesh.GetBytes();
   }
   context.UpdatePeakWorkingBytes(bytes);
-  this->Owner->SetProgressText("Generating the outputs");
   double filled = 0.0;
   for (std::unique_ptr<Leaf>& leaf : this->Leaves)
   {
@@ -372,6 +371,7 @@ bool TimeVaryingRun::FillOutputs(
     {
       return false;
     }
+    this->Owner->SetProgressText("Generating the outputs");
     leaf->Mesh.ResolveTiedBoundary();
     leaf->Mesh.CleanStepVolume();
     this->Report.Simplices -=

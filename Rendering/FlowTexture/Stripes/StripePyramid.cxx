@@ -35,7 +35,7 @@ std::vector<unsigned char> StripePyramid::GetTexels(int level) const
   {
     std::copy(this->Line.begin(), this->Line.begin() + 3, background.begin());
   }
-  const double shift = this->Offset * (this->NumberOfLines >> level);
+  const double shift = (this->Offset - std::floor(this->Offset)) * (this->NumberOfLines >> level);
   std::vector<unsigned char> texels;
   texels.reserve(4 * static_cast<std::size_t>(this->GetLength(level)));
   for (int i = 0; i < this->GetLength(level); ++i)

@@ -12,6 +12,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSimplexTimeSlice.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace
@@ -48,6 +50,7 @@ TimeVaryingExtraction Extract(const TimeSteps& steps, const std::vector<Interval
     pipeline.Filter->AddCriterion(criterion.Array, criterion.Lower, criterion.Upper);
   }
   pipeline.Filter->SetCriteriaOperation(operation);
+  pipeline.Filter->WarnOnEmptyOutputOff();
   pipeline.Filter->Update();
   const auto output = [&](int port)
   { return vtkUnstructuredGrid::SafeDownCast(pipeline.Filter->GetOutputDataObject(port)); };
@@ -129,6 +132,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SliceAt(vtkUnstructuredGrid* simplices, dou
   vtkNew<vtkSimplexTimeSlice> slice;
   slice->SetInputData(simplices);
   slice->SetTime(time);
+  slice->WarnOnEmptyOutputOff();
   slice->Update();
   return slice->GetOutput();
 }
@@ -242,6 +246,61 @@ void CheckParts(const NamedGrid& grid, const TimeSteps& steps, const Criterion& 
     inside.Simplices->GetNumberOfPoints(), "a value for each point");
 }
 
+/// Slices at the time steps have the volumes of vtkIntervalVolume with the same criterion.
+void CheckSteps(
+  const TimeSteps& steps, const Criterion& criterion, const Interval& interval, Check& check)
+{
+  for (const int operation : { Filter::INTERSECTION, Filter::DIFFERENCE })
+  {
+    const TimeVaryingExtraction found = Extract(steps, { interval }, { criterion }, operation);
+    for (const TimeStep& step : steps)
+    {
+      vtkNew<vtkIntervalVolume> expected;
+      expected->SetInputData(GetDataSet(step));
+      expected->SetInterval(0, interval[0], interval[1]);
+      expected->AddCriterion(criterion.Array, criterion.Lower, criterion.Upper);
+      expected->SetCriteriaOperation(operation);
+      expected->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+      expected->WarnOnEmptyOutputOff();
+      expected->Update();
+      check.Near(static_cast<double>(MeasureTetrahedra(SliceAt(found.Simplices, step.Time)).Sum),
+        static_cast<double>(MeasureTetrahedra(expected->GetOutput()).Sum), 1e-12,
+        "volume of operation " + std::to_string(operation) + " at step " +
+          std::to_string(step.Time),
+        1.0);
+    }
+  }
+}
+
+/// Simplices with a NaN are dropped, together with their boundary.
+void CheckNotFinite(Check& check)
+{
+  check.SetContext("NaN");
+  const NamedGrid grid = MakeAllGridTypes({ 4, 3, 3 }, 4).front();
+  const TimeSteps steps = RepeatGrid(grid.Data, Times);
+  AddRandomTimeField(steps, 12, "g");
+  AddRandomTimeField(steps, 11, "f");
+  GetDataSet(steps[1])->GetPointData()->GetArray("g")->SetComponent(30, 0, std::nan(""));
+  GetDataSet(steps[0])->GetPointData()->GetArray("g")->SetComponent(
+    21, 0, std::numeric_limits<double>::infinity());
+  const TimeVaryingExtraction found = Extract(steps, { { { 0.2, 0.8 } } }, { { "g", -5.0, 5.0 } });
+  check.That(found.Simplices->GetNumberOfCells() > 100, "there are 4-simplices");
+  std::map<std::array<vtkIdType, 4>, int> faces;
+  for (const OrientedSimplex<4>& face : FacesOf(FourSimplicesOf(found.Simplices)))
+  {
+    ++faces[face.Key];
+  }
+  long long loose = 0;
+  for (int kind = Filter::LOWER_SURFACE_IN_TIME; kind <= Filter::VOLUME_AT_END; ++kind)
+  {
+    for (const auto& cell : BoundaryCellsOf<4>(found.Boundaries, 0, kind))
+    {
+      loose += faces.count(OrientedSimplex<4>(cell).Key) == 0;
+    }
+  }
+  check.Equal(loose, 0, "boundary cells without a 4-simplex");
+}
+
 void CheckRandom(const NamedGrid& grid, Check& check)
 {
   const TimeSteps steps = RepeatGrid(grid.Data, Times);
@@ -249,12 +308,19 @@ void CheckRandom(const NamedGrid& grid, Check& check)
   AddRandomTimeField(steps, 12, "g");
   AddRandomTimeField(steps, 11, "f");
   CheckParts(grid, steps, { "g", 0.3, 0.8 }, { { { 0.2, 0.5 } }, { { 0.5, 0.9 } } }, check);
+  CheckSteps(steps, { "g", 0.3, 0.8 }, { { 0.2, 0.5 } }, check);
   check.SetContext(grid.Name + ", ties");
   AddIntegerTimeField(steps, 3, 14, "g");
   AddIntegerTimeField(steps, 3, 13, "f");
   CheckParts(grid, steps, { "g", 0.0, 1.0 }, { { { 0.0, 1.0 } } }, check);
   CheckParts(grid, steps, { "g", 1.0, 2.0 }, { { { 0.5, 2.0 } } }, check);
   CheckParts(grid, steps, { "g", 0.5, 1.0 }, { { { 0.0, 1.5 } } }, check);
+  for (const Criterion& criterion : { Criterion{ "g", 0.0, 1.0 }, Criterion{ "g", 1.0, 7.0 },
+         Criterion{ "g", 2.0, 2.0 }, Criterion{ "g", 0.5, 1.5 } })
+  {
+    CheckSteps(steps, criterion, { { 0.5, 2.0 } }, check);
+    CheckSteps(steps, criterion, { { 0.0, 1.0 } }, check);
+  }
 }
 
 /// The surfaces in time where a criterion equals its bounds have their own kinds, and are generated
@@ -348,6 +414,8 @@ void CheckMessages(Check& check)
   };
   expect("union", { "g", 0.2, 0.4 }, Filter::UNION, "UNION is not available over time",
     vtkCommand::ErrorEvent);
+  expect("reserved name", { "Time", 0.2, 0.4 }, Filter::INTERSECTION, "\"Time\" of a criterion",
+    vtkCommand::ErrorEvent);
   expect("missing", { "q", 0.2, 0.4 }, Filter::INTERSECTION, "\"q\"", vtkCommand::ErrorEvent);
   expect("order", { "g", 0.4, 0.2 }, Filter::INTERSECTION, "The criterion on \"g\"",
     vtkCommand::ErrorEvent);
@@ -368,6 +436,7 @@ int TestTimeVaryingCriteria(int, char*[])
   }
   CheckBoundaries(check);
   CheckCellArray(check);
+  CheckNotFinite(check);
   CheckMessages(check);
   return check.Result();
 }
