@@ -37,8 +37,8 @@ def show(source):
 def count_lines(view, axis):
     """Returns the number of dark lines along the center of the image."""
     shot = snapshot(view).max(axis=1).reshape(SIDE, SIDE)
-    row = shot[SIDE // 2 + 3] if axis == 0 else shot[:, SIDE // 2 + 3]
-    return int(((row[:-1] >= 100) & (row[1:] < 100)).sum())
+    row = shot[SIDE // 2 + 8] if axis == 0 else shot[:, SIDE // 2 + 8]
+    return int(((row[:-1] >= 60) & (row[1:] < 60)).sum())
 
 
 def check_zoom(checks):
