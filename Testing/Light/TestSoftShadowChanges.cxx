@@ -51,8 +51,8 @@ int TestSoftShadowChanges(int, char*[])
     other->SetLightBufferSize(mapper->GetLightBufferSize());
     VolumeStage fresh(scene.Size);
     SetScene(fresh, other, scene);
-    check.Near(CompareImages(found, fresh.CaptureBytes()).Max, 0.0, 0.0,
-      "image " + std::to_string(i), 1.0);
+    check.Near(
+      CompareImages(found, fresh.CaptureBytes()).Max, 0.0, 0.0, "image " + std::to_string(i), 1.0);
 
     const int size = pick(4);
     switch (pick(8))
