@@ -2,7 +2,6 @@
 #include "vtkIntervalVolume.h"
 
 #include "Arrays/ExtractionArrays.h"
-#include "Common/IntervalCheck.h"
 #include "Grid/InteriorCellFilter.h"
 #include "Output/BlockPool.h"
 #include "Pass/ExtractionIndex.h"
@@ -24,9 +23,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <sstream>
 
 vtkStandardNewMacro(vtkIntervalVolume);
 

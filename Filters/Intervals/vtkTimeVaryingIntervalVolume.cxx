@@ -137,7 +137,7 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckDirection() const
   return message.str();
 }
 
-interlume::Error vtkTimeVaryingIntervalVolume::CheckOperation() const
+interlume::Error vtkTimeVaryingIntervalVolume::CheckCriteriaSettings() const
 {
   if (this->GetNumberOfCriteria() > 0 && this->GetCriteriaOperation() == UNION)
   {
@@ -229,7 +229,8 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
   const std::vector<int> steps = this->GetSelectedSteps(
     this->TimeStepStride * (this->Coarse ? this->Coarse->GetTimeStride() : 1));
   for (const interlume::Error& error : { this->CheckTimes(steps), this->CheckDirection(),
-         interlume::ExtractionInput::CheckIntervals(this->GetIntervals()), this->CheckOperation() })
+         interlume::ExtractionInput::CheckIntervals(this->GetIntervals()),
+         this->CheckCriteriaSettings() })
   {
     if (error)
     {
@@ -260,7 +261,7 @@ std::unique_ptr<interlume::SeriesEstimate> vtkTimeVaryingIntervalVolume::Estimat
   }
   this->UpdateInformation();
   const std::vector<int> steps = this->GetSelectedSteps(1);
-  if (this->CheckTimes(steps) || this->CheckDirection() || this->CheckOperation() ||
+  if (this->CheckTimes(steps) || this->CheckDirection() || this->CheckCriteriaSettings() ||
     interlume::ExtractionInput::CheckIntervals(this->GetIntervals()))
   {
     return nullptr;

@@ -231,7 +231,8 @@ protected:
   /// finite.
   interlume::Error CheckTimes(const std::vector<int>& steps) const;
   interlume::Error CheckDirection() const;
-  interlume::Error CheckOperation() const;
+  /// Returns an error if criteria have an operation or an array that is not possible over time.
+  interlume::Error CheckCriteriaSettings() const;
   /// Returns the indices of the steps of TimeStepRange with the given stride.
   std::vector<int> GetSelectedSteps(int stride) const;
   std::vector<double> GetTimes(const std::vector<int>& steps) const;

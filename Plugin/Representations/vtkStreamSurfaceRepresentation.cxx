@@ -4,12 +4,10 @@
 #include "vtkStreamlineTexture.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
-#include "vtkPointData.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
@@ -25,11 +23,8 @@ bool HasLineCoordinates(vtkDataObject* surfaces, bool hasTimelines)
   return std::all_of(blocks.begin(), blocks.end(),
     [hasTimelines](vtkDataSet* block)
     {
-      vtkDataArray* const coordinates = block->GetPointData()->GetTCoords();
       return block->GetNumberOfPoints() == 0 ||
-        (coordinates &&
-          (coordinates->GetNumberOfComponents() == 2 ||
-            (coordinates->GetNumberOfComponents() == 1 && !hasTimelines)));
+        vtkStreamlineTexture::HasCoordinates(block, hasTimelines);
     });
 }
 }

@@ -17,7 +17,7 @@ class vtkStreamlineTexture;
  * image that the representation has as its texture, if any.
  *
  * Errors (vtkErrorMacro, once, and the surface is drawn without lines): a block with points has no
- * texture coordinates, or ones with three components.
+ * texture coordinates for the lines, see vtkStreamlineTexture::HasCoordinates.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkStreamSurfaceRepresentation
   : public vtkGeometryRepresentationWithFaces

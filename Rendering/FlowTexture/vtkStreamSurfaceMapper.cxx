@@ -63,12 +63,12 @@ unsigned int vtkStreamSurfaceMapper::GetNumberOfTextures(vtkActor* actor)
 
 bool vtkStreamSurfaceMapper::CheckCoordinates()
 {
-  vtkDataArray* const coordinates = this->CurrentInput->GetPointData()->GetTCoords();
-  const int components = coordinates ? coordinates->GetNumberOfComponents() : 0;
-  if (components == 2 || (components == 1 && !this->Timelines))
+  if (vtkStreamlineTexture::HasCoordinates(this->CurrentInput, this->Timelines))
   {
     return true;
   }
+  vtkDataArray* const coordinates = this->CurrentInput->GetPointData()->GetTCoords();
+  const int components = coordinates ? coordinates->GetNumberOfComponents() : 0;
   const vtkMTimeType time = std::max(this->CurrentInput->GetMTime(), this->GetMTime());
   if (this->CurrentInput->GetNumberOfPoints() > 0 && this->FaultyTime != time)
   {

@@ -5,8 +5,11 @@
 #include "Stripes/StripePyramid.h"
 
 #include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
@@ -93,6 +96,13 @@ void vtkStreamlineTexture::AddTo(vtkActor* actor, vtkStreamlineTexture* streamli
     }
   }
   actor->SetTexture(lowest);
+}
+
+bool vtkStreamlineTexture::HasCoordinates(vtkDataSet* surface, bool hasTimelines)
+{
+  vtkDataArray* const coordinates = surface->GetPointData()->GetTCoords();
+  const int components = coordinates ? coordinates->GetNumberOfComponents() : 0;
+  return components == 2 || (components == 1 && !hasTimelines);
 }
 
 void vtkStreamlineTexture::CopySettings(vtkStreamlineTexture* other)

@@ -8,6 +8,7 @@
 #include <utility> // for errors
 
 class vtkActor;
+class vtkDataSet;
 
 /**
  * @class   vtkStreamlineTexture
@@ -128,6 +129,10 @@ public:
    */
   static void AddTo(vtkActor* actor, vtkStreamlineTexture* streamlines,
     vtkStreamlineTexture* timelines, vtkTexture* below = nullptr);
+
+  /// Returns whether a dataset has texture coordinates for lines: two components, or one if there
+  /// are no timelines.
+  static bool HasCoordinates(vtkDataSet* surface, bool hasTimelines);
 
   /// Copies the settings of the lines of another texture.
   void CopySettings(vtkStreamlineTexture* other);

@@ -110,6 +110,7 @@ vtkIdType CriterionCut::GetPoint(vtkIdType inside, vtkIdType outside, const Half
   }
   const auto number = static_cast<std::uint64_t>(this->Values.size());
   const auto ends = std::minmax(inside, outside);
+  // Two halves have separate points, since their parts are separate.
   const bool isSecond = &half != this->Halves.data();
   const std::uint64_t key =
     2 * (static_cast<std::uint64_t>(ends.first) * number + ends.second) + isSecond;
@@ -149,9 +150,16 @@ void CriterionCut::Cut(
   if (clip.NumberOutside == 0)
   {
     add(ids);
-    if (half.IsOpen)
+    if (half.IsOpen && half.Kind >= 0)
     {
-      this->FindFace(ids, half, addFace);
+      TimeVaryingMesh::ForEachFace(ids,
+        [&](const auto& face)
+        {
+          if (this->HasBound(face.data(), static_cast<int>(face.size()), half))
+          {
+            addFace(face, true);
+          }
+        });
     }
     return;
   }
@@ -186,26 +194,6 @@ void CriterionCut::Cut(
   }
 }
 
-template <std::size_t Size, typename AddFace>
-void CriterionCut::FindFace(
-  const std::array<vtkIdType, Size>& ids, const Half& half, AddFace&& addFace) const
-{
-  const auto isBeyond = [this, &half](vtkIdType id) { return this->Values[id] != half.Bound; };
-  if (half.Kind < 0 || std::count_if(ids.begin(), ids.end(), isBeyond) != 1)
-  {
-    return;
-  }
-  const auto beyond = std::find_if(ids.begin(), ids.end(), isBeyond);
-  std::array<vtkIdType, Size - 1> face;
-  std::copy(beyond + 1, ids.end(), std::copy(ids.begin(), beyond, face.begin()));
-  // In a positively oriented simplex, the face without point i is oriented outward if i is even.
-  if ((beyond - ids.begin()) % 2 == 1)
-  {
-    std::swap(face[0], face[1]);
-  }
-  addFace(face, true);
-}
-
 bool CriterionCut::HasBound(const vtkIdType* ids, int number, const Half& half) const
 {
   return std::all_of(
@@ -218,6 +206,12 @@ bool CriterionCut::IsFinite(const vtkIdType* ids, std::size_t number) const
     ids, ids + number, [this](vtkIdType id) { return std::isfinite(this->Values[id]); });
 }
 
+std::array<vtkIdType, 4> CriterionCut::MakeKey(std::array<vtkIdType, 4> ids)
+{
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 void CriterionCut::FindDroppedFaces()
 {
   this->Dropped.clear();
@@ -225,25 +219,20 @@ void CriterionCut::FindDroppedFaces()
   {
     for (std::size_t s = 0; s < slab.Simplices.GetSize(); ++s)
     {
-      TimeVaryingMesh::Simplex ids = slab.Simplices[s];
-      if (this->IsFinite(ids.data(), ids.size()))
+      const TimeVaryingMesh::Simplex& simplex = slab.Simplices[s];
+      if (this->IsFinite(simplex.data(), simplex.size()))
       {
         continue;
       }
-      std::sort(ids.begin(), ids.end());
-      for (int i = 0; i < 5; ++i)
-      {
-        std::array<vtkIdType, 4> face;
-        std::copy(ids.begin() + i + 1, ids.end(), std::copy_n(ids.begin(), i, face.begin()));
-        this->Dropped.insert(face);
-        for (int j = 0; j < 4; ++j)
+      TimeVaryingMesh::ForEachFace(simplex,
+        [this](const std::array<vtkIdType, 4>& face)
         {
-          std::array<vtkIdType, 4> triangle{ { -1 } };
-          std::copy(
-            face.begin() + j + 1, face.end(), std::copy_n(face.begin(), j, triangle.begin() + 1));
-          this->Dropped.insert(triangle);
-        }
-      }
+          this->Dropped.insert(MakeKey(face));
+          TimeVaryingMesh::ForEachFace(face,
+            [this](const std::array<vtkIdType, 3>& triangle) {
+              this->Dropped.insert(MakeKey({ { triangle[0], triangle[1], triangle[2], -1 } }));
+            });
+        });
     }
   }
 }
@@ -300,10 +289,8 @@ void CriterionCut::CutCells(std::vector<BoundaryCell>& cells)
   for (const BoundaryCell& cell : cells)
   {
     const std::size_t size = cell.Ids[3] < 0 ? 3 : 4;
-    std::array<vtkIdType, 4> face = cell.Ids;
-    std::sort(face.begin(), face.end());
     if (!this->IsFinite(cell.Ids.data(), size) ||
-      (!this->Dropped.empty() && this->Dropped.count(face) > 0))
+      (!this->Dropped.empty() && this->Dropped.count(MakeKey(cell.Ids)) > 0))
     {
       continue;
     }

@@ -56,9 +56,8 @@ private:
   /// where the array equals the bound.
   template <std::size_t Size, typename Add, typename AddFace>
   void Cut(const std::array<vtkIdType, Size>& ids, const Half& half, Add&& add, AddFace&& addFace);
-  /// Calls addFace(ids, true) if all points but one of a simplex in a half have the bound.
-  template <std::size_t Size, typename AddFace>
-  void FindFace(const std::array<vtkIdType, Size>& ids, const Half& half, AddFace&& addFace) const;
+  /// Returns the sorted ids of a tetrahedron, or of a triangle with -1 as an id.
+  static std::array<vtkIdType, 4> MakeKey(std::array<vtkIdType, 4> ids);
   /// Finds the faces of simplices with a value that is not finite.
   void FindDroppedFaces();
   void CutSlab(TimeVaryingMesh::Slab& slab, std::vector<BoundaryCell>& boundary);
@@ -73,7 +72,7 @@ private:
   vtkDataArray* Array;
   std::vector<double> Values;
   std::vector<Half> Halves;
-  /// Sorted point ids of dropped tetrahedra and, with -1 as the first id, triangles.
+  /// Keys of the tetrahedra and triangles that are faces of dropped simplices.
   std::set<std::array<vtkIdType, 4>> Dropped;
   std::vector<ExtractionPoint> Points;
   /// Bounds at the new points.

@@ -95,25 +95,6 @@ vtkIdType GetGroup(int item, int kind)
   return 2 * static_cast<vtkIdType>(item) + isAtEnd;
 }
 
-// Calls visit(face) for each face of a simplex, oriented outward.
-template <std::size_t Size, typename Visitor>
-void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
-{
-  for (std::size_t i = 0; i < Size; ++i)
-  {
-    std::array<vtkIdType, Size - 1> face;
-    std::copy_n(simplex.begin(), i, face.begin());
-    std::copy(simplex.begin() + i + 1, simplex.end(), face.begin() + i);
-    // In a positively oriented tetrahedron or 4-simplex, the face without point i is oriented
-    // outward if i is even.
-    if (i % 2 == 1)
-    {
-      std::swap(face[0], face[1]);
-    }
-    visit(face);
-  }
-}
-
 void AppendCells(const std::vector<TimeVaryingMesh::BoundaryCell>& cells, int slab,
   std::vector<TimeVaryingMesh::BoundaryCell>& all)
 {

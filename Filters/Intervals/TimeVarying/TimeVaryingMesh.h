@@ -15,9 +15,11 @@
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace interlume
@@ -108,6 +110,25 @@ public:
   {
     return kind == vtkTimeVaryingSettings::VOLUME_AT_START ||
       kind == vtkTimeVaryingSettings::VOLUME_AT_END;
+  }
+
+  /// Calls visit(face) for each face of a simplex, oriented outward.
+  template <std::size_t Size, typename Visitor>
+  static void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
+  {
+    for (std::size_t i = 0; i < Size; ++i)
+    {
+      std::array<vtkIdType, Size - 1> face;
+      std::copy_n(simplex.begin(), i, face.begin());
+      std::copy(simplex.begin() + i + 1, simplex.end(), face.begin() + i);
+      // In a positively oriented tetrahedron or 4-simplex, the face without point i is oriented
+      // outward if i is even.
+      if (i % 2 == 1)
+      {
+        std::swap(face[0], face[1]);
+      }
+      visit(face);
+    }
   }
 
   /**

@@ -84,7 +84,7 @@ VolumeStage::~VolumeStage()
 {
   this->Release(this->Pass);
   this->Window->RemoveRenderer(this->Renderer);
-  if (!this->IsWindowShown)
+  if (this->CanReuseWindow)
   {
     GetFreeWindows().push_back(this->Window);
   }
@@ -151,7 +151,7 @@ vtkRenderer* VolumeStage::GetRenderer()
 
 vtkRenderWindow* VolumeStage::GetWindow()
 {
-  this->IsWindowShown = true;
+  this->CanReuseWindow = false;
   return this->Window;
 }
 

@@ -77,7 +77,8 @@ public:
 
 private:
   vtkSmartPointer<vtkRenderWindow> Window;
-  bool IsWindowShown = false;
+  /// False once a caller, who can change it, has the window.
+  bool CanReuseWindow = true;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkFramebufferPass> Pass;
