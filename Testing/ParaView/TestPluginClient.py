@@ -144,8 +144,8 @@ USES = {
          + 2 * PAUSE,
          "newcomer_record.refined()", [True, True, True, True]),
         (shell(DISPLAY + ".Opacity = 0; Render(); newcomer_record.watch_images()")
-         # The first and the last image have the same opacity.
-         + slid(OPACITY, [30, 40, 50, 30]), "len(set(newcomer_record.IMAGES)) > 3", True),
+         # The first and the last image have the same opacity. Events that arrive during an image are combined.
+         + slid(OPACITY, [30, 40, 50, 60, 50, 40, 30]), "len(set(newcomer_record.IMAGES)) > 3", True),
         (PAUSE, "newcomer_record.refined()", [True, True, False, True]),
         (shell("newcomer_record.watch_images(); " + DISPLAY + ".Opacity = 0.5; Render(); "
                "newcomer_record.take_screenshot()") + PAUSE, "newcomer_record.refined()", [True, True, False, True]),
