@@ -47,6 +47,7 @@ struct vtkFlowSettings
   bool ComputeMaximumSpeed = false;
   bool ComputeArcLength = false;
   bool ComputeMeanVorticity = false;
+  bool ComputeLocalAttributes = false;
   std::vector<std::string> MeanArrays;
   bool InterpolateStreamlines = false;
   bool StoreStepCounts = false;

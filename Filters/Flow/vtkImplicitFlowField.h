@@ -53,11 +53,11 @@ struct FlowReport;
  * nonconforming faces, for example between AMR levels.
  *
  * Output: the samples with their point data and the arrays of vtkFlowStatus. Optional point arrays
- * along the path: MaximumSpeed, ArcLength, MeanVorticity and Mean<name> (double; 0 for samples
- * OUTSIDE). Field array TerminationSurfaces: the ids in use and their periodic directions. Field
- * arrays with the prefix vtkFlowStatus::FarSidePrefix: far-side values of samples near a surface.
- * AdvectionTime becomes the active scalars. The output type is that of the field or of port 1
- * (vtkUnstructuredGrid for composite data), vtkImageData for SAMPLES_OF_IMAGE, and
+ * (double; 0 for samples OUTSIDE): MaximumSpeed, ArcLength, MeanVorticity, Mean<name>, LocalSpeed,
+ * LocalVorticity. Field array TerminationSurfaces: the ids in use and their periodic directions.
+ * Field arrays with the prefix vtkFlowStatus::FarSidePrefix: far-side values of samples near a
+ * surface. AdvectionTime becomes the active scalars. The output type is that of the field or of
+ * port 1 (vtkUnstructuredGrid for composite data), vtkImageData for SAMPLES_OF_IMAGE, and
  * vtkUnstructuredGrid with UnstructuredOutput or RefinementLevels.
  *
  * Notes:
@@ -274,7 +274,9 @@ public:
    * Optional quantities along the path: the largest speed (MaximumSpeed), the length (ArcLength),
    * the time average of the vorticity magnitude (MeanVorticity), and time averages of one-component
    * arrays of the field (Mean and the array's name). Arrays are point arrays, or cell arrays if no
-   * point array has the name. Default: off, none.
+   * point array has the name. ComputeLocalAttributes stores the speed and the vorticity magnitude
+   * at the sample, in the cell of the field that contains it (LocalSpeed, LocalVorticity). Default:
+   * off, none.
    */
   vtkSetMacro(ComputeMaximumSpeed, bool);
   vtkGetMacro(ComputeMaximumSpeed, bool);
@@ -285,6 +287,9 @@ public:
   vtkSetMacro(ComputeMeanVorticity, bool);
   vtkGetMacro(ComputeMeanVorticity, bool);
   vtkBooleanMacro(ComputeMeanVorticity, bool);
+  vtkSetMacro(ComputeLocalAttributes, bool);
+  vtkGetMacro(ComputeLocalAttributes, bool);
+  vtkBooleanMacro(ComputeLocalAttributes, bool);
   void AddMeanArray(const char* name);
   void RemoveAllMeanArrays();
   int GetNumberOfMeanArrays() const { return static_cast<int>(this->MeanArrays.size()); }

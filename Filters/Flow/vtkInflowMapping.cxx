@@ -26,6 +26,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <vector>
 
 vtkStandardNewMacro(vtkInflowMapping);
 
@@ -46,6 +48,39 @@ interlume::InflowEvaluator& GetEvaluator(
     evaluator = std::make_shared<interlume::InflowEvaluator>(function);
   }
   return *evaluator;
+}
+
+/// Returns the arrays of the samples that a mapping uses.
+std::vector<vtkDataArray*> GetVariables(const interlume::InflowFunction* function, vtkDataSet* data)
+{
+  std::vector<vtkDataArray*> variables;
+  for (std::size_t i = 0; function && i < function->GetArrays().size(); ++i)
+  {
+    variables.push_back(data->GetPointData()->GetArray(function->GetArrays()[i].c_str()));
+  }
+  return variables;
+}
+
+/// Returns the smallest, the middle and the largest finite value of samples that reached a surface;
+/// 0 if there is none.
+template <typename GetValue>
+std::array<double, 3> GetLevels(
+  vtkIdType number, const interlume::ImplicitFlowArrays& arrays, GetValue&& getValue)
+{
+  double lowest = VTK_DOUBLE_MAX;
+  double highest = -VTK_DOUBLE_MAX;
+  for (vtkIdType p = 0; p < number; ++p)
+  {
+    const double value = arrays.IsReached(p) ? getValue(p) : NotANumber;
+    if (std::isfinite(value))
+    {
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  }
+  return lowest <= highest
+    ? std::array<double, 3>{ { lowest, 0.5 * lowest + 0.5 * highest, highest } }
+    : std::array<double, 3>{};
 }
 
 void SetMappingReport(
@@ -203,7 +238,7 @@ interlume::Error vtkInflowMapping::Prepare()
     this->PreparedError.clear();
     for (const auto& mapping : this->Mappings)
     {
-      const interlume::Error error = mapping.second->Prepare();
+      const interlume::Error error = mapping.second->Prepare(this->ArrayNames);
       if (error && this->PreparedError.empty())
       {
         this->PreparedError = "The mapping of " +
@@ -216,7 +251,8 @@ interlume::Error vtkInflowMapping::Prepare()
   return this->PreparedError;
 }
 
-double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, bool isPeriodicV)
+double vtkInflowMapping::Evaluate(
+  int id, double u, double v, bool isPeriodicU, bool isPeriodicV, double time)
 {
   if (this->Prepare())
   {
@@ -224,6 +260,7 @@ double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, 
   }
   interlume::InflowEvaluator& evaluator = GetEvaluator(this->Evaluators, this->Find(id));
   evaluator.SetSurface(id, isPeriodicU, isPeriodicV);
+  evaluator.SetTime(time);
   return evaluator.Evaluate(u, v);
 }
 
@@ -231,23 +268,29 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
 {
   constexpr int positions = 33;
   constexpr double tolerance = 1e-6;
-  if (!(direction == 0 ? isPeriodicU : isPeriodicV))
+  if (!(direction == 0 ? isPeriodicU : isPeriodicV) || this->Prepare())
   {
     return false;
   }
+  const interlume::InflowFunction* function = this->Find(id);
+  interlume::InflowEvaluator evaluator(function);
+  evaluator.SetSurface(id, isPeriodicU, isPeriodicV);
+  const bool isOfPosition = !function || (!function->HasTime() && function->GetArrays().empty());
+  const int levels = isOfPosition ? 1 : 3;
   // The first and the last value of each row are at the same point, on opposite sides of the seam.
   double lowest = VTK_DOUBLE_MAX;
   double highest = -VTK_DOUBLE_MAX;
   double largestJump = 0.0;
-  for (int i = 0; i < positions; ++i)
+  for (int i = 0; i < positions * levels; ++i)
   {
-    const double along = static_cast<double>(i) / (positions - 1);
+    this->SetLevel(evaluator, function, static_cast<std::size_t>(i / positions));
+    const double along = static_cast<double>(i % positions) / (positions - 1);
     double values[positions];
     for (int j = 0; j < positions; ++j)
     {
       const double across = static_cast<double>(j) / (positions - 1);
-      values[j] = direction == 0 ? this->Evaluate(id, across, along, isPeriodicU, isPeriodicV)
-                                 : this->Evaluate(id, along, across, isPeriodicU, isPeriodicV);
+      values[j] =
+        direction == 0 ? evaluator.Evaluate(across, along) : evaluator.Evaluate(along, across);
       if (std::isfinite(values[j]))
       {
         lowest = std::min(lowest, values[j]);
@@ -265,6 +308,64 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
   return largestJump <= tolerance * std::max(highest - lowest, 0.0);
 }
 
+void vtkInflowMapping::SetLevel(interlume::InflowEvaluator& evaluator,
+  const interlume::InflowFunction* function, std::size_t level) const
+{
+  evaluator.SetTime(this->Times[level]);
+  for (std::size_t i = 0; function && i < function->GetArrays().size(); ++i)
+  {
+    const auto found = this->ArrayLevels.find(function->GetArrays()[i]);
+    evaluator.SetArrayValue(i, found == this->ArrayLevels.end() ? 0.0 : found->second[level]);
+  }
+}
+
+interlume::Error vtkInflowMapping::UseArrays(
+  const interlume::ImplicitFlowArrays& arrays, vtkDataSet* input)
+{
+  std::set<std::string> names;
+  vtkPointData* data = input->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetArrayName(i);
+    if (name && data->GetArray(i) && data->GetArray(i)->GetNumberOfComponents() == 1)
+    {
+      names.insert(name);
+    }
+  }
+  if (names != this->ArrayNames)
+  {
+    this->ArrayNames = names;
+    this->PreparedTime = 0;
+  }
+  if (interlume::Error error = this->Prepare())
+  {
+    return error;
+  }
+  this->Times = {};
+  this->ArrayLevels.clear();
+  const vtkIdType number = input->GetNumberOfPoints();
+  for (const auto& mapping : this->Mappings)
+  {
+    if (mapping.second->HasTime())
+    {
+      if (!arrays.HasTimes())
+      {
+        return "The formula \"" + mapping.second->Formula +
+          "\" contains t, but the input has no point array \"" + vtkFlowStatus::TimeArray() +
+          "\". Pass the output of vtkImplicitFlowField.";
+      }
+      this->Times = GetLevels(number, arrays, [&](vtkIdType p) { return arrays.GetTime(p); });
+    }
+    for (const std::string& name : mapping.second->GetArrays())
+    {
+      vtkDataArray* array = data->GetArray(name.c_str());
+      this->ArrayLevels[name] =
+        GetLevels(number, arrays, [array](vtkIdType p) { return array->GetComponent(p, 0); });
+    }
+  }
+  return {};
+}
+
 int vtkInflowMapping::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -274,7 +375,8 @@ int vtkInflowMapping::RequestData(
   output->Initialize();
   SetMappingReport(this->Report);
   interlume::ImplicitFlowArrays arrays;
-  if (const interlume::Error error = arrays.Find(input).Then([this] { return this->Prepare(); }))
+  if (const interlume::Error error =
+        arrays.Find(input).Then([&] { return this->UseArrays(arrays, input); }))
   {
     vtkErrorMacro(<< error);
     return 1;
@@ -290,6 +392,8 @@ int vtkInflowMapping::RequestData(
   {
     EvaluatorMap& evaluators = threads.Local();
     interlume::InflowEvaluator* evaluator = nullptr;
+    std::vector<vtkDataArray*> variables;
+    bool hasTime = false;
     int id = ALL;
     for (vtkIdType p = first; p < last; ++p)
     {
@@ -301,9 +405,20 @@ int vtkInflowMapping::RequestData(
       if (!evaluator || id != arrays.GetId(p))
       {
         id = arrays.GetId(p);
-        evaluator = &GetEvaluator(evaluators, this->Find(id));
+        const interlume::InflowFunction* function = this->Find(id);
+        evaluator = &GetEvaluator(evaluators, function);
+        variables = GetVariables(function, input);
+        hasTime = function && function->HasTime();
         const std::array<bool, 2> periodicity = arrays.GetPeriodicity(id);
         evaluator->SetSurface(id, periodicity[0], periodicity[1]);
+      }
+      if (hasTime)
+      {
+        evaluator->SetTime(arrays.GetTime(p));
+      }
+      for (std::size_t i = 0; i < variables.size(); ++i)
+      {
+        evaluator->SetArrayValue(i, variables[i]->GetComponent(p, 0));
       }
       const double* uv = arrays.GetParameters(p);
       values[p] = evaluator->Evaluate(uv[0], uv[1]);
@@ -355,21 +470,37 @@ void vtkInflowMapping::MapFarSide(const interlume::ImplicitFlowArrays& arrays, v
   { return data->GetArray(interlume::FarSideSamples::GetName(name).c_str()); };
   vtkDataArray* ids = get(vtkFlowStatus::IdArray());
   vtkDataArray* parameters = get(vtkFlowStatus::ParametersArray());
-  if (interlume::FarSideSamples(output).IsEmpty())
+  vtkDataArray* times = get(vtkFlowStatus::TimeArray());
+  const interlume::FarSideSamples samples(output);
+  if (samples.IsEmpty())
   {
     return;
   }
   vtkNew<vtkDoubleArray> inflow;
   inflow->SetName(interlume::FarSideSamples::GetName(vtkFlowStatus::InflowArray()).c_str());
   inflow->SetNumberOfValues(ids->GetNumberOfTuples());
+  EvaluatorMap evaluators;
   for (vtkIdType row = 0; row < ids->GetNumberOfTuples(); ++row)
   {
     const int id = static_cast<int>(ids->GetComponent(row, 0));
+    const interlume::InflowFunction* function = this->Find(id);
+    interlume::InflowEvaluator& evaluator = GetEvaluator(evaluators, function);
     const std::array<bool, 2> periodicity = arrays.GetPeriodicity(id);
+    evaluator.SetSurface(id, periodicity[0], periodicity[1]);
+    evaluator.SetTime(times->GetComponent(row, 0));
+    const std::vector<vtkDataArray*> variables = GetVariables(function, output);
+    for (std::size_t i = 0; i < variables.size(); ++i)
+    {
+      // Quantities along the path have far-side values, all others are the sample's own.
+      vtkDataArray* farSide = get(variables[i]->GetName());
+      evaluator.SetArrayValue(i,
+        farSide ? farSide->GetComponent(row, 0)
+                : variables[i]->GetComponent(samples.GetPoint(row), 0));
+    }
     inflow->SetValue(row,
-      id < 0 ? NotANumber
-             : this->Evaluate(id, parameters->GetComponent(row, 0),
-                 parameters->GetComponent(row, 1), periodicity[0], periodicity[1]));
+      id < 0
+        ? NotANumber
+        : evaluator.Evaluate(parameters->GetComponent(row, 0), parameters->GetComponent(row, 1)));
   }
   data->AddArray(inflow);
 }

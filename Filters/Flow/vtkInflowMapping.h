@@ -8,8 +8,10 @@
 #include "vtkInterlumeReport.h" // for GetReport()
 #include "vtkNew.h"             // for the report
 
+#include <array>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 class vtkImageData;
@@ -29,7 +31,8 @@ class InflowFunction;
  * Computes Inflow(x) = Phi_f(u(x), v(x)). The streamline through x ends on the termination surface
  * with id f, at the parameters (u,v), and Phi_f is the mapping of that id. The level sets of Inflow
  * are stream surfaces, and the region between two values is a stream volume; no advection is
- * needed. An id without its own mapping uses the mapping of ALL. See
+ * needed. A formula may also contain the advection time t(x), for an inflow that changes over time,
+ * and other arrays of the samples. An id without its own mapping uses the mapping of ALL. See
  * Documentation/methods/flow-volumes.md.
  *
  * Input: the output of vtkImplicitFlowField. Output: the input with the point array `Inflow`
@@ -37,14 +40,14 @@ class InflowFunction;
  * mapping, or its value is not finite. The field array `InflowPeriodic` (int, 3 components: id, u,
  * v) has one tuple per id in use. Its component u or v is 1 if the mapping is continuous across
  * that seam, otherwise 0. A mapping counts as continuous if, at 33 positions along the seam, the
- * values on both sides differ by at most 1e-6 of the mapping's range. The output is identical for
- * any number of threads.
+ * values on both sides differ by at most 1e-6 of the mapping's range. With t or arrays, this holds
+ * for their smallest, middle and largest values. The output is identical for any number of threads.
  *
  * Warnings (vtkWarningMacro, not if one of several pieces is requested): Inflow is NaN everywhere.
  *
- * Errors (vtkErrorMacro, empty output): missing arrays of vtkFlowStatus; a formula that the parser
- * rejects or whose value is a vector; an image that has no points or scalars, or that is
- * three-dimensional.
+ * Errors (vtkErrorMacro, empty output): missing arrays of vtkFlowStatus or of a formula; a formula
+ * that the parser rejects or whose value is a vector; an image that has no points or scalars, or
+ * that is three-dimensional.
  *
  * @sa vtkImplicitFlowField vtkFlowVolume
  */
@@ -72,8 +75,9 @@ public:
   ///@{
   /**
    * Set or get the mapping of an id, or of ALL. A mapping is one of:
-   * - a formula of u, v and f (the id as a number) in the language of vtkExprTkFunctionParser; null
-   *   removes the mapping;
+   * - a formula of u, v, f (the id as a number), t (AdvectionTime) and one-component point arrays
+   *   of the input, by name, in the language of vtkExprTkFunctionParser. Names that are not words
+   *   must be in double quotes. Null removes the mapping;
    * - Gaussian rings: the sum of amplitude exp(-((r - radius) / width)^2), where r is the distance
    *   from (centerU, centerV) in parameter space, measured the short way around in periodic
    *   directions. AddRing adds to the rings of the id;
@@ -101,10 +105,11 @@ public:
   ///@}
 
   /**
-   * Return the mapping of an id at (u,v) as the filter evaluates it; NaN if there is no mapping, or
-   * if it cannot be used. Not thread-safe.
+   * Return the mapping of an id at (u,v) and \a time as the filter evaluates it; NaN if there is no
+   * mapping, if it cannot be used, or if it is a formula with arrays. Not thread-safe.
    */
-  double Evaluate(int id, double u, double v, bool isPeriodicU = false, bool isPeriodicV = false);
+  double Evaluate(int id, double u, double v, bool isPeriodicU = false, bool isPeriodicV = false,
+    double time = 0.0);
 
   /**
    * Return true if the mapping of an id is continuous across the seam of \a direction (0: u, 1: v),
@@ -141,12 +146,23 @@ private:
   interlume::InflowFunction* GetOrCreate(int id, int kind);
   /// Prepares the mappings if any of them has changed. Returns an error if one cannot be used.
   interlume::Error Prepare();
+  /// Prepares the mappings for the arrays of an input, and finds the values for IsContinued.
+  /// Returns an error if a mapping cannot be used.
+  interlume::Error UseArrays(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* input);
+  /// Sets time and arrays to their smallest, middle or largest values.
+  void SetLevel(interlume::InflowEvaluator& evaluator, const interlume::InflowFunction* function,
+    std::size_t level) const;
   /// Adds the field array of the far-side samples' Inflow, if there are far-side samples.
   void MapFarSide(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
 
   std::map<int, std::shared_ptr<interlume::InflowFunction>> Mappings;
   std::string PreparedError;
   vtkMTimeType PreparedTime = 0;
+  // Names of the last input's arrays, and the smallest, middle and largest values of AdvectionTime
+  // and of the arrays in formulas.
+  std::set<std::string> ArrayNames;
+  std::array<double, 3> Times{};
+  std::map<std::string, std::array<double, 3>> ArrayLevels;
   // Evaluators used by Evaluate.
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>
     Evaluators;

@@ -66,6 +66,7 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFilter(const Choice& choice)
   filter->SetComputeArcLength(choice.ComputesMore);
   filter->SetComputeMaximumSpeed(choice.ComputesMore);
   filter->SetComputeMeanVorticity(choice.ComputesMore);
+  filter->SetComputeLocalAttributes(choice.ComputesMore);
   return filter;
 }
 

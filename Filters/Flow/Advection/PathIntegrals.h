@@ -100,6 +100,16 @@ public:
     this->Time += end * h;
   }
 
+  /// Returns the length of the vorticity vector at \a p.
+  static double GetVorticity(const Walker& field, const double p[3])
+  {
+    double gradient[9];
+    field.GetVelocityGradient(p, gradient);
+    const double curl[3] = { gradient[7] - gradient[5], gradient[2] - gradient[6],
+      gradient[3] - gradient[1] };
+    return Vectors::SafeLength(glm::make_vec3(curl));
+  }
+
   /// Computes the results of the streamline, which ends at \a p.
   void End(const Walker& field, const double p[3], AdvectionResult& result)
   {
@@ -138,11 +148,7 @@ private:
   {
     if (this->Options.ComputeMeanVorticity)
     {
-      double gradient[9];
-      field.GetVelocityGradient(p, gradient);
-      const double curl[3] = { gradient[7] - gradient[5], gradient[2] - gradient[6],
-        gradient[3] - gradient[1] };
-      this->Vorticity += weight * Vectors::SafeLength(glm::make_vec3(curl));
+      this->Vorticity += weight * PathIntegrals::GetVorticity(field, p);
     }
     for (std::size_t i = 0; i < this->Sums.size(); ++i)
     {

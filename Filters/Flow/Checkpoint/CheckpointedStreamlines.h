@@ -29,9 +29,10 @@ public:
   bool Follow(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end) override;
 
-  std::vector<Velocity> GetVelocities(vtkIdType number, const GetPosition& position) override
+  std::vector<Velocity> GetVelocities(
+    vtkIdType number, const GetPosition& position, bool withVorticity) override
   {
-    return this->Inner.GetVelocities(number, position);
+    return this->Inner.GetVelocities(number, position, withVorticity);
   }
   const FlowField& GetField() const override { return this->Inner.GetField(); }
 

@@ -49,7 +49,7 @@ bool FarSideTracer::Find(const Corners& corners, std::vector<SampleResult>& samp
   const std::vector<Streamlines::Velocity> velocities =
     this->Context.Field.GetVelocities(static_cast<vtkIdType>(corners.size()),
       [&](vtkIdType i, double x[3])
-      { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)].Sample, x); });
+      { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)].Sample, x); }, false);
   Rows back;
   Rows on;
   for (std::size_t row = 0; row < corners.size(); ++row)
@@ -167,7 +167,7 @@ bool FarSideTracer::TraceBeyondSurface(const Corners& corners, const Rows& rows,
   std::vector<Streamlines::Velocity> velocities =
     this->Context.Field.GetVelocities(static_cast<vtkIdType>(hit.size()),
       [&](vtkIdType i, double x[3])
-      { std::copy_n(before[hit[static_cast<std::size_t>(i)]].Position, 3, x); });
+      { std::copy_n(before[hit[static_cast<std::size_t>(i)]].Position, 3, x); }, false);
   struct Start
   {
     std::size_t Row;

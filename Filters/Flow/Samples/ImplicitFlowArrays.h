@@ -49,6 +49,7 @@ public:
 
   double GetTime(vtkIdType point) const { return this->Times->GetValue(point); }
 
+  bool HasTimes() const { return this->Times != nullptr; }
   /// Returns true if TerminationSide and AdvectionTime exist. IsAcrossSurface and GetTimeJump need
   /// them.
   bool HasSides() const { return this->Sides && this->Times; }

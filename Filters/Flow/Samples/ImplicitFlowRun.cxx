@@ -20,6 +20,7 @@
 #include "Streams/DistributedStreamlines.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -228,8 +229,30 @@ void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, i
   isActive = isActive &&
     FarSideStage::Run(context, samples, this->HasObstacles || this->LocatesBoundary) &&
     (grid || SamplingCheck::Run(context, samples));
+  if (isActive && this->Options.ComputeLocalAttributes)
+  {
+    ImplicitFlowRun::AddLocalAttributes(streamlines, samples);
+  }
   this->Refined = isActive ? grid : nullptr;
   this->Aborted = !isActive;
+}
+
+void ImplicitFlowRun::AddLocalAttributes(Streamlines& streamlines, vtkDataSet* samples)
+{
+  const std::vector<Streamlines::Velocity> velocities = streamlines.GetVelocities(
+    samples->GetNumberOfPoints(), [samples](vtkIdType i, double x[3]) { samples->GetPoint(i, x); },
+    true);
+  vtkNew<vtkDoubleArray> speeds;
+  speeds->SetName("LocalSpeed");
+  vtkNew<vtkDoubleArray> vorticities;
+  vorticities->SetName("LocalVorticity");
+  for (const Streamlines::Velocity& velocity : velocities)
+  {
+    speeds->InsertNextValue(Vectors::SafeLength(glm::make_vec3(velocity.V)));
+    vorticities->InsertNextValue(velocity.Vorticity);
+  }
+  samples->GetPointData()->AddArray(speeds);
+  samples->GetPointData()->AddArray(vorticities);
 }
 
 bool ImplicitFlowRun::Refine(

@@ -99,6 +99,8 @@ private:
   /// Refines the samples by all levels. Returns false if the execution was aborted.
   bool Refine(StageContext& context, SampleIntegration& integration,
     vtkSmartPointer<vtkUnstructuredGrid>& grid);
+  /// Adds the arrays LocalSpeed and LocalVorticity to the samples.
+  static void AddLocalAttributes(Streamlines& streamlines, vtkDataSet* samples);
   /// Sets the values of the report that describe the field.
   template <typename FieldType>
   void Describe(const FieldType& field);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <regex>
 
 namespace interlume
 {
@@ -26,8 +27,17 @@ enum Variables
 {
   VARIABLE_U,
   VARIABLE_V,
-  VARIABLE_F
+  VARIABLE_F,
+  VARIABLE_T,
+  FIRST_ARRAY_VARIABLE
 };
+
+// Name of the variable that replaces array \a i. Names of arrays may contain spaces or be keywords of
+// the parser.
+std::string GetVariable(std::size_t i)
+{
+  return "interlume_array_" + std::to_string(i);
+}
 
 // Stores the first error message of a parser, without the source location that VTK prepends.
 void StoreError(vtkObject*, unsigned long, void* client, void* data)
@@ -43,12 +53,17 @@ void StoreError(vtkObject*, unsigned long, void* client, void* data)
   error = text.substr(0, text.find_first_of("\t\n"));
 }
 
-vtkSmartPointer<vtkExprTkFunctionParser> MakeParser(const std::string& formula)
+vtkSmartPointer<vtkExprTkFunctionParser> MakeParser(const std::string& formula, std::size_t arrays)
 {
   auto parser = vtkSmartPointer<vtkExprTkFunctionParser>::New();
   parser->SetScalarVariableValue("u", 0.0);
   parser->SetScalarVariableValue("v", 0.0);
   parser->SetScalarVariableValue("f", 0.0);
+  parser->SetScalarVariableValue("t", NotANumber);
+  for (std::size_t i = 0; i < arrays; ++i)
+  {
+    parser->SetScalarVariableValue(GetVariable(i), NotANumber);
+  }
   parser->ReplaceInvalidValuesOn();
   parser->SetReplacementValue(NotANumber);
   parser->SetFunction(formula.c_str());
@@ -56,17 +71,58 @@ vtkSmartPointer<vtkExprTkFunctionParser> MakeParser(const std::string& formula)
 }
 }
 
-Error InflowFunction::Prepare()
+Error InflowFunction::Prepare(const std::set<std::string>& arrays)
 {
+  Error error;
   switch (this->Kind)
   {
     case vtkInflowKind::FORMULA:
-      return this->CheckFormula();
+      error = this->ReplaceArrays(arrays);
+      return error ? error : this->CheckFormula();
     case vtkInflowKind::IMAGE:
       return this->ReadImage();
     default:
       return {};
   }
+}
+
+Error InflowFunction::ReplaceArrays(const std::set<std::string>& arrays)
+{
+  this->Expression.clear();
+  this->ContainsTime = false;
+  this->Arrays.clear();
+  // A quoted name, a number, or a name. Numbers may contain letters, as in 1e3.
+  static const std::regex words("\"([^\"]*)\"|[0-9.]+(?:[eE][-+]?[0-9]+)?|[A-Za-z_][A-Za-z0-9_]*");
+  static const std::set<char> parameters = { 'u', 'v', 'f', 't' };
+  const std::string& text = this->Formula;
+  std::string::const_iterator at = text.begin();
+  for (std::sregex_iterator word(text.begin(), text.end(), words), end; word != end; ++word)
+  {
+    const bool isQuoted = (*word)[1].matched;
+    const std::string name = (*word)[isQuoted ? 1 : 0].str();
+    this->Expression.append(at, (*word)[0].first);
+    at = (*word)[0].second;
+    const bool isParameter = !isQuoted && name.size() == 1 && parameters.count(name[0]) > 0;
+    if (isParameter || arrays.count(name) == 0)
+    {
+      if (isQuoted)
+      {
+        return "The formula \"" + text + "\" contains \"" + name +
+          "\", but the input has no point array with this name and one component.";
+      }
+      this->ContainsTime = this->ContainsTime || name == "t";
+      this->Expression += name;
+      continue;
+    }
+    const auto found = std::find(this->Arrays.begin(), this->Arrays.end(), name);
+    this->Expression += GetVariable(static_cast<std::size_t>(found - this->Arrays.begin()));
+    if (found == this->Arrays.end())
+    {
+      this->Arrays.push_back(name);
+    }
+  }
+  this->Expression.append(at, text.end());
+  return {};
 }
 
 Error InflowFunction::CheckFormula() const
@@ -75,7 +131,7 @@ Error InflowFunction::CheckFormula() const
   {
     return "The formula is empty. Call SetFormula.";
   }
-  const auto parser = MakeParser(this->Formula);
+  const auto parser = MakeParser(this->Expression, this->Arrays.size());
   Error error;
   vtkNew<vtkCallbackCommand> command;
   command->SetCallback(StoreError);
@@ -131,7 +187,7 @@ InflowEvaluator::InflowEvaluator(const InflowFunction* function)
 {
   if (function && function->Kind == vtkInflowKind::FORMULA)
   {
-    this->Parser = MakeParser(function->Formula);
+    this->Parser = MakeParser(function->Expression, function->Arrays.size());
   }
 }
 
@@ -145,6 +201,19 @@ void InflowEvaluator::SetSurface(int id, bool isPeriodicU, bool isPeriodicV)
   {
     this->Parser->SetScalarVariableValue(VARIABLE_F, id);
   }
+}
+
+void InflowEvaluator::SetTime(double time)
+{
+  if (this->Parser)
+  {
+    this->Parser->SetScalarVariableValue(VARIABLE_T, time);
+  }
+}
+
+void InflowEvaluator::SetArrayValue(std::size_t i, double value)
+{
+  this->Parser->SetScalarVariableValue(FIRST_ARRAY_VARIABLE + static_cast<int>(i), value);
 }
 
 double InflowEvaluator::Evaluate(double u, double v)

@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,10 @@ namespace interlume
 
 /**
  * @class   InflowFunction
- * @brief   function of u and v that vtkInflowMapping uses for one surface id
+ * @brief   function that vtkInflowMapping uses for one surface id
+ *
+ * A formula is a function of u, v, the id f, the advection time t and one-component arrays of the
+ * samples. Rings and images are functions of u and v.
  */
 class InflowFunction
 {
@@ -36,14 +40,26 @@ public:
   std::vector<Ring> Rings;
   vtkSmartPointer<vtkImageData> Image;
 
-  /// Prepares the data for the evaluators. Returns an error if the function cannot be used.
-  Error Prepare();
+  /// Prepares the data for the evaluators. \a arrays are the names of the arrays that formulas can
+  /// use. Returns an error if the function cannot be used.
+  Error Prepare(const std::set<std::string>& arrays);
+
+  /// Returns true if the formula contains t.
+  bool HasTime() const { return this->ContainsTime; }
+  /// Returns the names of the arrays in the formula.
+  const std::vector<std::string>& GetArrays() const { return this->Arrays; }
 
 private:
+  /// Replaces the names of arrays in the formula, which may be quoted, by names for the parser.
+  Error ReplaceArrays(const std::set<std::string>& arrays);
   Error CheckFormula() const;
   Error ReadImage();
 
   friend class InflowEvaluator;
+  // The formula for the parser, and the arrays that its variables stand for.
+  std::string Expression;
+  bool ContainsTime = false;
+  std::vector<std::string> Arrays;
   // Values of the image, with u varying fastest.
   std::vector<double> Values;
   // Number of values along u and v.
@@ -65,6 +81,10 @@ public:
 
   /// Sets the surface for subsequent calls of Evaluate.
   void SetSurface(int id, bool isPeriodicU, bool isPeriodicV);
+  /// Sets the advection time, and the value of array \a i of the function, for subsequent calls of
+  /// Evaluate. Both are NaN before.
+  void SetTime(double time);
+  void SetArrayValue(std::size_t i, double value);
   /// Returns the value at (u,v), or NaN if it is not finite. Periodic parameters outside [0, 1] are
   /// wrapped.
   double Evaluate(double u, double v);

@@ -195,7 +195,7 @@ void SampleIntegration::FindSides()
   const std::vector<Streamlines::Velocity> velocities =
     this->Context.Field.GetVelocities(static_cast<vtkIdType>(corners.size()),
       [&](vtkIdType i, double x[3])
-      { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)], x); });
+      { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)], x); }, false);
   vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
     [&](vtkIdType first, vtkIdType last)
     {

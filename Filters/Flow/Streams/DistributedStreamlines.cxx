@@ -214,7 +214,8 @@ public:
     return !this->Exchange.IsAnywhere(job.IsAborted);
   }
 
-  std::vector<Velocity> GetVelocities(vtkIdType number, const GetPosition& position) override
+  std::vector<Velocity> GetVelocities(
+    vtkIdType number, const GetPosition& position, bool withVorticity) override
   {
     std::vector<Velocity> velocities(static_cast<std::size_t>(number));
     if (!this->Exchange.IsAnywhere(number > 0))
@@ -258,7 +259,7 @@ public:
           finding = this->Cells.Find(walker, x);
           if (finding.IsFound)
           {
-            velocity = LocalStreamlines<Walker>::GetVelocityAt(walker, finding.P);
+            velocity = LocalStreamlines<Walker>::GetVelocityAt(walker, finding.P, withVorticity);
           }
           RankExchange::Bytes& reply = sent[static_cast<std::size_t>(request.Rank)];
           PutHead(reply, Kind::Velocity, request);

@@ -53,7 +53,8 @@ public:
       });
   }
 
-  std::vector<Velocity> GetVelocities(vtkIdType number, const GetPosition& position) override
+  std::vector<Velocity> GetVelocities(
+    vtkIdType number, const GetPosition& position, bool withVorticity) override
   {
     std::vector<Velocity> velocities(static_cast<std::size_t>(number));
     vtkSMPTools::For(0, number,
@@ -64,7 +65,7 @@ public:
         {
           double x[3];
           position(i, x);
-          velocities[static_cast<std::size_t>(i)] = GetVelocity(walker, x);
+          velocities[static_cast<std::size_t>(i)] = GetVelocity(walker, x, withVorticity);
         }
       });
     return velocities;
@@ -72,19 +73,20 @@ public:
 
   const FlowField& GetField() const override { return this->Field.GetField(); }
 
-  static Velocity GetVelocity(Walker& walker, const double x[3])
+  static Velocity GetVelocity(Walker& walker, const double x[3], bool withVorticity)
   {
     double p[3];
-    return walker.Locate(x, p) ? GetVelocityAt(walker, p) : Velocity();
+    return walker.Locate(x, p) ? GetVelocityAt(walker, p, withVorticity) : Velocity();
   }
   /// Returns the velocity at parametric coordinates in the current cell of the walker.
-  static Velocity GetVelocityAt(const Walker& walker, const double p[3])
+  static Velocity GetVelocityAt(const Walker& walker, const double p[3], bool withVorticity)
   {
     Velocity velocity;
     velocity.IsInField = true;
     double rate[3];
     walker.GetVelocity(p, rate);
     walker.GetWorldVector(p, rate, velocity.V);
+    velocity.Vorticity = withVorticity ? PathIntegrals<Walker>::GetVorticity(walker, p) : 0.0;
     return velocity;
   }
 

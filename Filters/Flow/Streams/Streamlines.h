@@ -37,13 +37,16 @@ public:
   virtual bool Follow(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end) = 0;
 
-  /// Velocity at a position; 0 outside the field.
+  /// Velocity at a position, and the length of the vorticity vector if requested; 0 outside the
+  /// field.
   struct Velocity
   {
     bool IsInField = false;
     double V[3] = { 0.0, 0.0, 0.0 };
+    double Vorticity = 0.0;
   };
-  virtual std::vector<Velocity> GetVelocities(vtkIdType number, const GetPosition& position) = 0;
+  virtual std::vector<Velocity> GetVelocities(
+    vtkIdType number, const GetPosition& position, bool withVorticity) = 0;
 
   /// Returns the field, or this process's partition of it. Speeds and bounds are those of the whole
   /// field.

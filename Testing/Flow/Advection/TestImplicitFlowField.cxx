@@ -73,6 +73,7 @@ void TestGrids(Check& check)
     filter->ComputeArcLengthOn();
     filter->ComputeMaximumSpeedOn();
     filter->ComputeMeanVorticityOn();
+    filter->ComputeLocalAttributesOn();
     check.That(UpdateAndGetErrors(filter).empty(), "no messages");
     vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
     check.That(
@@ -89,6 +90,9 @@ void TestGrids(Check& check)
       const double rate = 0.25 * x[2];
       const double y = x[1] - rate * x[0];
       const auto status = static_cast<int>(GetValue(output, "FlowStatus", id));
+      const double speed = std::sqrt(1.0 + rate * rate);
+      check.Near(GetValue(output, "LocalSpeed", id), speed, 1e-12, "local speed");
+      check.Near(GetValue(output, "LocalVorticity", id), 0.25, 1e-11, "local vorticity");
       if (std::abs(y) < 1e-9 && x[0] > 0.0)
       {
         // Rounding errors decide whether streamlines toward the common edge of the planes x = 0 and
@@ -105,7 +109,6 @@ void TestGrids(Check& check)
         GetValue(output, "TerminationUV", id, 0), reaches ? y / 4.0 : 0.0, tolerance, "u", 1.0);
       check.Near(
         GetValue(output, "TerminationUV", id, 1), reaches ? x[2] / 4.0 : 0.0, tolerance, "v", 1.0);
-      const double speed = std::sqrt(1.0 + rate * rate);
       check.Near(
         GetValue(output, "ArcLength", id), speed * time, 10.0 * tolerance, "arc length", 1.0);
       check.Near(GetValue(output, "MaximumSpeed", id), speed, 10.0 * tolerance, "speed", 1.0);
@@ -159,7 +162,14 @@ void TestSamples(Check& check)
   }
   filter->SetSampleBounds(-1.0, 5.0, 1.0, 1.0, 0.0, 4.0);
   filter->SetSampleDimensions(7, 1, 5);
+  check.That(!samples->GetPointData()->HasArray("LocalSpeed"), "no local attributes by default");
+  filter->ComputeLocalAttributesOn();
   filter->Update();
+  for (const char* name : { "LocalSpeed", "LocalVorticity" })
+  {
+    check.Near(GetValue(samples, name, 0), 0.0, 0.0, "0 outside the field", 1.0);
+    check.That(GetValue(samples, name, 3) > 0.0, "local attributes inside the field");
+  }
   check.Equal(
     filter->GetReport()->GetCount("Statuses", vtkFlowStatus::OUTSIDE), 10, "samples outside");
   check.Equal(filter->GetReport()->GetCount("Executions"), 2, "executions");

@@ -154,6 +154,7 @@ void SetAll(vtkImplicitFlowField* filter)
   filter->SetComputeArcLength(true);
   filter->SetComputeMeanVorticity(true);
   filter->SetComputeMaximumSpeed(true);
+  filter->SetComputeLocalAttributes(true);
 }
 
 void AddSphere(vtkImplicitFlowField* filter, double radius)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInflowMapping evaluates a scalar of the termination surfaces at every sample: formulas, rings
-// and images compared with their definitions, NaN at samples without a value, periodicity, invalid
-// settings, and threads.
+// and images compared with their definitions, formulas with time and arrays, far-side values, NaN
+// at samples without a value, periodicity, invalid settings, and threads.
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -9,17 +9,21 @@
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Checks/ReferenceThreads.h"
+#include "Support/Flow/ReferenceFlowGrid.h"
 #include "Support/Meshes/ReferenceLattice.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
+#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkTerminationPlane.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -247,11 +251,165 @@ void CheckPeriodic(Check& check)
   expect("sin(6.283185307179586*u)+1e-5*u", both, 0, 1);
   expect("3", both, 1, 1);
   expect("1/u", both, 0, 1);
+  // Times are 0 and 1, and the mapping is 0 at time 0.
+  expect("u*t", both, 0, 1);
+  expect("sin(6.283185307179586*u)*t", both, 1, 1);
+  expect("v*(1 - FlowStatus)", both, 1, 0);
   check.SetContext("rings");
   mapping->AddRing(vtkInflowMapping::ALL, 0.9, 0.5, 0.2, 0.1);
   check.That(GetPeriodic(mapping, both) == both, "rings are periodic");
   mapping->SetImage(vtkInflowMapping::ALL, MakeTexture({ { 3, 3, 1 } }, 1));
   check.That(GetPeriodic(mapping, both) == std::array<int, 2>{ { 0, 0 } }, "an image");
+}
+
+vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIdType number)
+{
+  auto ids = vtkSmartPointer<vtkIntArray>::New();
+  ids->SetName(name);
+  for (vtkIdType p = 0; p < number; ++p)
+  {
+    ids->InsertNextValue(static_cast<int>(3 * p % 17));
+  }
+  return ids;
+}
+
+// Formulas with time and with arrays whose names are no words of the formula language, or are equal
+// to its parameters apart from case or quotes.
+void CheckArrays(Check& check)
+{
+  check.SetContext("arrays");
+  const auto addArrays = [](vtkImageData* samples)
+  {
+    const vtkIdType number = samples->GetNumberOfPoints();
+    AddFlow(samples,
+      [](const double* x) -> FlowResult {
+        return { x[2] < 0.0 ? 3 : 0, 7, x[0], x[1], 1.0 + x[0] * x[2] };
+      },
+      { { { 7, 0, 0 } } });
+    for (const char* name : { "Mean density (kg/m3)", "T", "u", "sin", "e3" })
+    {
+      samples->GetPointData()->AddArray(MakeIds(name, number));
+    }
+  };
+  auto samples = MakeSamples();
+  addArrays(samples);
+  vtkNew<vtkInflowMapping> mapping;
+  AllowWarnings(mapping);
+  mapping->SetInputData(samples);
+  mapping->SetFormula(vtkInflowMapping::ALL, "u + t");
+  check.Near(mapping->Evaluate(0, 0.25, 0.0, false, false, 2.0), 2.25, 1e-15, "Evaluate at a time");
+  const auto compare = [&](const char* formula, auto&& expected)
+  {
+    mapping->SetFormula(vtkInflowMapping::ALL, formula);
+    check.That(UpdateAndGetErrors(mapping).empty(), std::string("no error for ") + formula);
+    vtkPointData* data = mapping->GetOutput()->GetPointData();
+    for (vtkIdType p = 0; p < samples->GetNumberOfPoints(); ++p)
+    {
+      double x[3];
+      samples->GetPoint(p, x);
+      const double found = data->GetArray("Inflow")->GetComponent(p, 0);
+      const double ids = static_cast<double>(3 * p % 17);
+      check.That(x[2] < 0.0 ? std::isnan(found)
+                            : std::abs(found - expected(x, ids)) < 1e-12 * (1.0 + std::abs(found)),
+        formula);
+    }
+  };
+  compare("t", [](const double* x, double) { return 1.0 + x[0] * x[2]; });
+  compare("2*\"Mean density (kg/m3)\" + T*u + t + 10*\"u\"",
+    [](const double* x, double ids) { return 12.0 * ids + ids * x[0] + 1.0 + x[0] * x[2]; });
+  compare("1e3 + e3 + \"e3\"", [](const double*, double ids) { return 1000.0 + 2.0 * ids; });
+  compare(
+    "min(TerminationId, \"sin\")", [](const double*, double ids) { return std::min(7.0, ids); });
+  check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "Evaluate without arrays");
+
+  check.SetContext("missing arrays");
+  mapping->SetFormula(vtkInflowMapping::ALL, "T");
+  mapping->SetInputData(MakeSamples());
+  CheckError(mapping, "'T'", check);
+  mapping->SetFormula(vtkInflowMapping::ALL, "1 + \"T\"");
+  CheckError(mapping, "\"T\"", check);
+  mapping->SetInputData(samples);
+  check.That(UpdateAndGetErrors(mapping).empty(), "no error with the array");
+  mapping->SetFormula(vtkInflowMapping::ALL, "TerminationUV");
+  CheckError(mapping, "TerminationUV", check);
+  samples->GetPointData()->RemoveArray("AdvectionTime");
+  check.That(!UpdateAndGetErrors(mapping).empty(), "still an error");
+  mapping->SetFormula(vtkInflowMapping::ALL, "u - t");
+  CheckError(mapping, "\"AdvectionTime\"", check);
+  mapping->SetFormula(vtkInflowMapping::ALL, "u");
+  check.That(UpdateAndGetErrors(mapping).empty(), "no error without t");
+}
+
+// Dye that enters through the plane x = 0 with a strength that changes over time, carried by the
+// shear flow (1, z / 4, 0): at time 3, the dye at x was released at time 3 - x.
+void CheckUnsteadyInflow(Check& check)
+{
+  check.SetContext("unsteady inflow");
+  vtkNew<vtkImplicitFlowField> field;
+  field->SetInputDataObject(MakeFlowImage(9,
+    [](const Vector& x) -> Vector {
+      return { { 1.0, 0.25 * x[2], 0.0 } };
+    }));
+  field->AddTerminationSurface(MakeFlowPlane(0.0));
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputConnection(field->GetOutputPort());
+  mapping->SetFormula(vtkInflowMapping::ALL, "cos(5*(3 - t))*(u + v^2)");
+  mapping->Update();
+  vtkDataSet* output = vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0));
+  int reached = 0;
+  for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    output->GetPoint(p, x);
+    const double y = x[1] - 0.25 * x[2] * x[0];
+    if (y > 1e-9)
+    {
+      const double released = std::cos(5.0 * (3.0 - x[0]));
+      check.Near(output->GetPointData()->GetArray("Inflow")->GetComponent(p, 0),
+        released * (y / 4.0 + x[2] * x[2] / 16.0), 1e-9, "dye", 1.0);
+      ++reached;
+    }
+  }
+  check.That(reached > 300, "many samples contain dye");
+}
+
+// Far-side values of a mapping with time and arrays: the far-side time and arc length, and the
+// sample's own local speed.
+void CheckFarSide(Check& check)
+{
+  check.SetContext("far side");
+  vtkNew<vtkImplicitFlowField> field;
+  field->SetInputDataObject(MakeFlowImage(9,
+    [](const Vector& x) -> Vector {
+      return { { 2.0 - x[1], x[0] - 2.0, 0.0 } };
+    }));
+  auto plane = MakeFlowPlane(2.25);
+  field->AddTerminationSurface(plane);
+  field->ComputeArcLengthOn();
+  field->ComputeLocalAttributesOn();
+  vtkNew<vtkInflowMapping> mapping;
+  mapping->SetInputConnection(field->GetOutputPort());
+  mapping->SetFormula(vtkInflowMapping::ALL, "u + 3*t + 5*ArcLength + 7*LocalSpeed");
+  mapping->Update();
+  vtkDataSet* output = vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0));
+  const auto get = [output](const char* name, vtkIdType row)
+  { return output->GetFieldData()->GetArray(name)->GetComponent(row, 0); };
+  int known = 0;
+  for (vtkIdType row = 0;
+       row < output->GetFieldData()->GetArray("BeyondInflow")->GetNumberOfTuples(); ++row)
+  {
+    if (get("BeyondTerminationId", row) >= 0.0)
+    {
+      const auto sample = static_cast<vtkIdType>(get("BeyondSampleId", row));
+      const double speed = output->GetPointData()->GetArray("LocalSpeed")->GetComponent(sample, 0);
+      check.Near(get("BeyondInflow", row),
+        get("BeyondTerminationUV", row) + 3.0 * get("BeyondAdvectionTime", row) +
+          5.0 * get("BeyondArcLength", row) + 7.0 * speed,
+        1e-12, "far-side value", 1.0);
+      ++known;
+    }
+  }
+  check.That(known > 20, "there are far-side values");
 }
 
 void CheckErrors(Check& check)
@@ -364,6 +522,9 @@ int TestInflowMapping(int, char*[])
   CheckRings(check);
   CheckImages(check);
   CheckPeriodic(check);
+  CheckArrays(check);
+  CheckUnsteadyInflow(check);
+  CheckFarSide(check);
   CheckErrors(check);
   CheckRuns(check);
   check.SetContext("seam");

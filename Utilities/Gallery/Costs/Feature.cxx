@@ -151,6 +151,9 @@ void AddFlows(std::vector<Feature>& features)
   fields.Add("ComputeMeanVorticity", &Field::GetComputeMeanVorticity,
     &Field::SetComputeMeanVorticity,
     [](Field* filter) { return CountArray(filter, "MeanVorticity"); });
+  fields.Add("ComputeLocalAttributes", &Field::GetComputeLocalAttributes,
+    &Field::SetComputeLocalAttributes,
+    [](Field* filter) { return CountArray(filter, "LocalVorticity"); });
 
   using Volume = vtkFlowVolume;
   FeatureList<Volume> volumes("vtkFlowVolume", features);
