@@ -7,6 +7,7 @@
 #include "vtkConstructiveModelSource.h"
 #include "vtkConstructiveVolume.h"
 #include "vtkDeltaWingSource.h"
+#include "vtkFlowBoundary.h"
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"
@@ -82,6 +83,7 @@ std::vector<vtkSmartPointer<vtkObject>> MakeAll()
     Make<vtkConstructiveModelSource>(),
     Make<vtkConstructiveVolume>(),
     Make<vtkDeltaWingSource>(),
+    Make<vtkFlowBoundary>(),
     Make<vtkFlowCriticalPoints>(),
     Make<vtkFlowLIC>(),
     Make<vtkFlowVolume>(),

@@ -16,6 +16,7 @@ SCALAR_FILTERS = {
 }
 VECTOR_FILTERS = {
     "ImplicitFlowField": {"DomainFaces": True, "CriticalPointSpheres": True},
+    "FlowBoundary": {},
     "FlowCriticalPoints": {},
     "VortexAxis": {},
 }

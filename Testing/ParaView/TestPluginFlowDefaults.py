@@ -177,13 +177,13 @@ def check_widgets(checks, name, source, field):
 
 def check_others(checks, name, source, volume):
     """Tests that the other flow filters have output or report why not."""
-    for kind in ("FlowCriticalPoints", "VortexAxis"):
+    for kind in ("FlowBoundary", "FlowCriticalPoints", "VortexAxis"):
         proxy = getattr(simple, kind)(Input=source)
         messages = update(proxy)
         points = fetch(proxy).GetNumberOfPoints()
         print(f"{name}, {kind}: {points} points", flush=True)
         checks.that((points > 0) == (messages == ""), f"{name}, {kind}: {points} points, {messages!r}")
-        checks.that(points == 0 or scalars_of(proxy) in ("CriticalPointType", "SwirlStrength"), f"{kind}, scalars")
+        checks.that(points == 0 or scalars_of(proxy) in ("FlowDirection", "CriticalPointType", "SwirlStrength"), f"{kind}, scalars")
     surface = simple.Slice(Input=source)
     lic = simple.FlowLIC(Input=surface, Field=source)
     checks.equal(update(lic), "", f"{name}, LIC")

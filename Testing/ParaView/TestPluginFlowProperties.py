@@ -129,6 +129,25 @@ def check_means(checks, flow, field):
     checks.that(abs(low - 1.0) < 1e-6 and abs(high - 1.0) < 1e-6, f"means {low} to {high}")
 
 
+def check_boundary(checks, flow):
+    """Tests the regions of a uniform flow, and that one of them can be a termination surface."""
+    boundary = simple.FlowBoundary(Input=flow)
+    rates = vtk_to_numpy(fetch(boundary).GetFieldData().GetArray("RegionFlowRate"))
+    checks.that(numpy.abs(rates - [-4.0, 4.0]).max() < 1e-6, f"flow rates {rates}")
+    boundary.Region = 0
+    checks.equal(fetch(boundary).GetBounds()[:2], (0.0, 0.0), "position of the inflow")
+    field = simple.ImplicitFlowField(
+        Input=flow, TerminationSurface="None", Surfaces=boundary, ComputeLocalAttributes=True)
+    points = fetch(field).GetPointData()
+    checks.equal(points.GetArray("FlowStatus").GetRange(), (0.0, 0.0), "all samples reach the region")
+    speeds = points.GetArray("LocalSpeed").GetRange()
+    checks.that(max(abs(speed - 1.0) for speed in speeds) < 1e-6, f"local speeds {speeds}")
+    mapping = simple.InflowMapping(Input=field, Formula="t + LocalSpeed")
+    low, high = fetch(mapping).GetPointData().GetArray("Inflow").GetRange()
+    checks.that(abs(low - 1.0) < 1e-6 and abs(high - 3.0) < 1e-6, f"formula with time: {low} to {high}")
+    return boundary
+
+
 def check_mapping(checks, field):
     mapping = simple.InflowMapping(Input=field)
     checks.equal(mapping.Formula, "u", "default formula")
@@ -222,14 +241,14 @@ def main(checks):
     check_means(checks, flow, field)
     mapping = check_mapping(checks, field)
     volume = check_volume(checks, mapping)
-    points, axis = simple.FlowCriticalPoints(Input=flow), simple.VortexAxis(Input=flow)
-    for proxy in (field, mapping, volume, *check_texture(checks, flow), points, axis):
+    others = [check_boundary(checks, flow), simple.FlowCriticalPoints(Input=flow), simple.VortexAxis(Input=flow)]
+    for proxy in (field, mapping, volume, *check_texture(checks, flow), *others):
         check_documentation(checks, proxy)
         check_menu(checks, "filters", proxy.SMProxy.GetXMLName())
     source = simple.TerminationSurface()
     check_documentation(checks, source)
     check_menu(checks, "sources", source.SMProxy.GetXMLName())
-    for name in ("ImplicitFlowField", "FlowCriticalPoints", "VortexAxis"):  # fields have point vectors
+    for name in ("ImplicitFlowField", "FlowBoundary", "FlowCriticalPoints", "VortexAxis"):  # fields have point vectors
         check_inputs(checks, name, ((flow, True), (simple.Wavelet(), False), (simple.Sphere(), False)))
 
 

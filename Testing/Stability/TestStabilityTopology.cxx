@@ -10,7 +10,9 @@
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFlowBoundary.h"
 #include "vtkImageData.h"
+#include "vtkInterlumeReport.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -296,10 +298,51 @@ void TestAxes(StabilityCatalogue& catalogue)
   ReportEmpty(catalogue, filter, "no-vortex", "a field without rotation", "3 points");
 }
 
+void TestBoundaries(StabilityCatalogue& catalogue)
+{
+  catalogue.SetClass("vtkFlowBoundary");
+  const auto getInflow = [](vtkFlowBoundary* filter)
+  { return filter->GetReport()->GetNumber("InflowRate"); };
+  vtkNew<vtkFlowBoundary> filter;
+  for (const double size : { 1e-150, 1e-100, 1e-12, 1e12, 1e100, 1e150 })
+  {
+    for (const double speed : { 1e-150, 1e-100, 1e-12, 1e12, 1e100, 1e150 })
+    {
+      auto image = MakeCube(3, size);
+      SetVelocity(image, [speed](const FlowVector&) { return FlowVector{ { speed, 0.0, 0.0 } }; });
+      filter->SetInputData(image);
+      filter->Update();
+      const std::string name = "length-" + FormatShort(size) + "-speed-" + FormatShort(speed);
+      const std::string extreme =
+        "a box of " + FormatShort(size) + " with speeds of " + FormatShort(speed);
+      const double expected = 4.0 * size * speed * size;
+      catalogue.Measure(name + "-regions", extreme, "regions beyond one inflow and one outflow",
+        filter->GetReport()->GetNumber("InflowRegions") +
+          filter->GetReport()->GetNumber("OutflowRegions") - 2.0,
+        0.0);
+      if (std::isnormal(expected))
+      {
+        catalogue.Measure(
+          name, extreme, "relative error of the inflow", getInflow(filter) / expected - 1.0, 1e-12);
+      }
+    }
+  }
+  auto image = MakeCube(3);
+  SetVelocity(image, [](const FlowVector&) { return FlowVector{ { 0.0, 0.0, 0.0 } }; });
+  filter->SetInputData(image);
+  filter->SetRegion(0);
+  ReportRejection(catalogue, filter, "no-flow", "a region of a field without flow", "has 0 regions",
+    [&]() { filter->SetRegion(vtkFlowBoundary::ALL); });
+  SetVelocity(image, [](const FlowVector& x) { return x; });
+  filter->SetInputData(MakeBarePoint());
+  ReportRejection(catalogue, filter, "no-cells", "a point without cells", "no cells",
+    [&]() { filter->SetInputData(image); });
+}
+
 }
 
 int TestStabilityTopology(int argc, char* argv[])
 {
   return RunCases(__func__, "vtkFlowCriticalPoints", argc, argv,
-    { TestPointScales, TestCellLengths, TestPointCells, TestAxes, TestLayers });
+    { TestPointScales, TestCellLengths, TestPointCells, TestAxes, TestBoundaries, TestLayers });
 }

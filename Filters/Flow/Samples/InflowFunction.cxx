@@ -32,8 +32,8 @@ enum Variables
   FIRST_ARRAY_VARIABLE
 };
 
-// Name of the variable that replaces array \a i. Names of arrays may contain spaces or be keywords of
-// the parser.
+// Name of the variable that replaces array \a i. Names of arrays may contain spaces or be keywords
+// of the parser.
 std::string GetVariable(std::size_t i)
 {
   return "interlume_array_" + std::to_string(i);

@@ -11,6 +11,7 @@
 #include "Support/Meshes/ReferencePieceSource.h"
 #include "Support/TimeVarying/ReferenceTemporal.h"
 
+#include "vtkFlowBoundary.h"
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"
 #include "vtkImplicitFlowField.h"
@@ -257,6 +258,8 @@ std::vector<FilterCase> MakeFilters()
     { "LIC", "w", []() -> vtkSmartPointer<vtkAlgorithm> { return MakeFilter<vtkFlowLIC>(); } },
     { "critical points", "w",
       []() -> vtkSmartPointer<vtkAlgorithm> { return MakeFilter<vtkFlowCriticalPoints>(); } },
+    { "boundary", "w",
+      []() -> vtkSmartPointer<vtkAlgorithm> { return MakeFilter<vtkFlowBoundary>(); } },
     { "vortex axis", "w",
       []() -> vtkSmartPointer<vtkAlgorithm> { return MakeFilter<vtkVortexAxis>(); } },
   };
@@ -400,6 +403,10 @@ vtkInterlumeReport* GetReport(vtkAlgorithm* filter)
   if (auto* lic = vtkFlowLIC::SafeDownCast(filter))
   {
     return lic->GetReport();
+  }
+  if (auto* boundary = vtkFlowBoundary::SafeDownCast(filter))
+  {
+    return boundary->GetReport();
   }
   auto* points = vtkFlowCriticalPoints::SafeDownCast(filter);
   return points ? points->GetReport() : vtkVortexAxis::SafeDownCast(filter)->GetReport();

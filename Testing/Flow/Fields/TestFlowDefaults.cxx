@@ -5,6 +5,7 @@
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 
+#include "vtkFlowBoundary.h"
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"
@@ -268,6 +269,10 @@ void TestWarnings(Check& check)
   points->SetInputData(image);
   check.Contains(WarningsOf(points),
     "no isolated critical point in any of its 512 cells. The velocity is 0 throughout 0 cells");
+  vtkNew<vtkFlowBoundary> boundary;
+  boundary->SetInputData(image);
+  boundary->SetMinimumNormalSpeed(1.0);
+  check.Contains(WarningsOf(boundary), "No flow passes through the boundary, which has 384 faces");
   vtkNew<vtkVortexAxis> axis;
   axis->SetInputData(image);
   check.Contains(WarningsOf(axis), "No plane perpendicular to Axis (0, 0, 1) has a vortex");

@@ -7,6 +7,7 @@
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 
+#include "vtkFlowBoundary.h"
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowLIC.h"
 #include "vtkFlowVolume.h"
@@ -162,6 +163,9 @@ void TestPlane(Check& check)
     vtkNew<vtkFlowCriticalPoints> critical;
     critical->SetInputData(data);
     Expect(critical, "Flow in a plane needs two layers of points", check);
+    vtkNew<vtkFlowBoundary> boundary;
+    boundary->SetInputData(data);
+    Expect(boundary, "Flow in a plane needs two layers of points", check);
   }
 }
 
