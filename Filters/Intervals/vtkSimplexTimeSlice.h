@@ -26,8 +26,9 @@ struct SimplexTimeSliceReport;
  * Cuts each 4-simplex by a hyperplane: at a time, at a position along x, y or z, or by any other
  * (see SliceAxis). The result is empty, a tetrahedron, or a triangular prism that is split into
  * three tetrahedra. The split of a face depends only on the ids of its points (the global ids, if
- * available), so tetrahedra of adjacent 4-simplices conform. To reduce the result to triangles,
- * slice it with vtkPlaneCutter or vtkContourFilter.
+ * available), so tetrahedra of adjacent 4-simplices conform. vtkGeometryFilter therefore returns
+ * the boundary of the slice; to get that of one interval, select its tetrahedra with vtkThreshold
+ * first. vtkPlaneCutter and vtkContourFilter reduce the slice to triangles.
  *
  * Input: a vtkUnstructuredGrid with VTK_POLY_VERTEX cells of five points and a point array `Time`
  * (one component, any numeric type), as on port 2 of vtkTimeVaryingIntervalVolume, or a composite

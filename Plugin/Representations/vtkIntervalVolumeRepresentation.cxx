@@ -10,7 +10,10 @@
 #include "vtkVolumeFunctions.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkAppendFilter.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -24,6 +27,7 @@
 #include "vtkPVView.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkTrivialProducer.h"
@@ -40,6 +44,27 @@ const char* const MAPPER_NAME = "Interlume";
 const char* const AUTOMATIC_DELTA_T = "DeltaT";
 /// Arrays with more components do not contain colors; the transfer functions are used instead.
 constexpr int MAXIMUM_COLOR_COMPONENTS = 4;
+
+/// Port of the view's data for the boundary triangles.
+constexpr int BOUNDARY_PORT = 1;
+
+/// Returns a dataset, or the blocks of a composite dataset as one grid; null if there is none.
+vtkSmartPointer<vtkDataSet> MergeBlocks(vtkDataObject* data)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return vtkDataSet::SafeDownCast(data);
+  }
+  vtkNew<vtkAppendFilter> append;
+  auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    append->AddInputDataObject(blocks->GetCurrentDataObject());
+  }
+  append->Update();
+  return append->GetOutput();
+}
 
 /// Returns true if one process has the data, renders, and is the client.
 bool IsOneProcess()
@@ -61,6 +86,7 @@ vtkIntervalVolumeRepresentation::vtkIntervalVolumeRepresentation()
   , Constant(std::make_unique<vtkConstantScalars>())
   , SelectionIds(std::make_unique<vtkSelectionIds>())
 {
+  this->SetNumberOfInputPorts(2);
   this->SetMapper(vtkNew<vtkTimeWeightedTetrahedraMapper>());
   this->vtkUnstructuredGridVolumeRepresentation::SetActiveVolumeMapper(MAPPER_NAME);
 }
@@ -77,6 +103,67 @@ void vtkIntervalVolumeRepresentation::SetMapper(vtkTimeWeightedTetrahedraMapper*
 {
   this->Mapper = mapper;
   this->AddVolumeMapper(MAPPER_NAME, mapper);
+}
+
+void vtkIntervalVolumeRepresentation::SetBoundaryConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+void vtkIntervalVolumeRepresentation::SetBoundaryColor(
+  int id, double red, double green, double blue, double opacity)
+{
+  vtkNew<vtkProperty> property;
+  property->SetColor(red, green, blue);
+  property->SetOpacity(opacity);
+  this->Mapper->SetBoundaryProperty(id, property);
+}
+
+void vtkIntervalVolumeRepresentation::RemoveAllBoundaryColors()
+{
+  this->Mapper->RemoveAllBoundaryIds();
+}
+
+int vtkIntervalVolumeRepresentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkIntervalVolumeRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Boundary = nullptr;
+  if (inputs[1]->GetNumberOfInformationObjects() > 0)
+  {
+    this->Boundary = MergeBlocks(vtkDataObject::GetData(inputs[1], 0));
+  }
+  return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+void vtkIntervalVolumeRepresentation::UpdateBoundary(vtkInformation* view)
+{
+  auto* boundary =
+    vtkDataSet::SafeDownCast(vtkPVRenderView::GetDeliveredPiece(view, this, BOUNDARY_PORT));
+  const bool isEmpty = !boundary || boundary->GetNumberOfCells() == 0;
+  vtkDataObject* before = this->Mapper->GetNumberOfInputConnections(1) > 0
+    ? this->Mapper->GetInputDataObject(1, 0)
+    : nullptr;
+  if (before != (isEmpty ? nullptr : boundary))
+  {
+    this->Mapper->SetBoundaryData(isEmpty ? nullptr : boundary);
+  }
+  for (const int id : this->Mapper->GetBoundaryIds())
+  {
+    this->Mapper->GetBoundaryProperty(id)->SetSpecular(
+      this->Mapper->GetBoundaryProperty()->GetSpecular());
+  }
 }
 
 bool vtkIntervalVolumeRepresentation::AddToView(vtkView* view)
@@ -208,6 +295,10 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
+    // The view keeps a piece until another replaces it.
+    const vtkSmartPointer<vtkDataSet> none = vtkSmartPointer<vtkPolyData>::New();
+    vtkPVRenderView::SetPiece(
+      inInfo, this, this->Boundary ? this->Boundary : none, 0, BOUNDARY_PORT);
     this->ConfigureCompositing(inInfo);
   }
   if (request != vtkPVView::REQUEST_RENDER())
@@ -222,6 +313,7 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
     this->Mapper->SetInputData(emptyGrid);
     this->Actor->SetMapper(this->Mapper);
   }
+  this->UpdateBoundary(inInfo);
   if (this->Actor->GetMapper())
   {
     vtkDataArray* scalars = this->FindScalars();

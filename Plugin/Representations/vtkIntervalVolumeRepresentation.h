@@ -14,6 +14,7 @@
 class vtkColorTransferFunction;
 class vtkConstantScalars;
 class vtkDataArray;
+class vtkDataSet;
 class vtkPiecewiseFunction;
 class vtkRenderer;
 class vtkSelectionIds;
@@ -29,6 +30,10 @@ class vtkVolumeFunctions;
  * split into tetrahedra. Color and opacity are set as for ParaView's Volume: a point or cell array,
  * its color and opacity functions, and the opacity unit distance. If there is no color array, or
  * the data lack it, the solid color and a constant opacity are used (see vtkVolumeFunctions).
+ *
+ * Optional input port 1: boundary triangles, such as the second output of Interval Volume, drawn
+ * between the tetrahedra (see vtkTimeWeightedTetrahedraMapper::SetBoundaryConnection). Blocks are
+ * merged. Triangles whose tetrahedra ParaView has moved to another process are not drawn.
  *
  * **Interaction.** Without a server, the mapper draws a subset of the tetrahedra in the time that
  * the view allocates (see vtkTimeWeightedTetrahedraMapper::SetAutoAdjustLevelOfDetail).
@@ -97,6 +102,18 @@ public:
   void RemoveAllBlockSelectors();
   ///@}
 
+  /// Set the boundary triangles; null for none.
+  void SetBoundaryConnection(vtkAlgorithmOutput* output);
+
+  ///@{
+  /**
+   * Set the color and the opacity of boundary triangles with a value of the mapper's
+   * BoundaryIdArrayName. Highlights are those of the mapper's BoundaryProperty.
+   */
+  void SetBoundaryColor(int id, double red, double green, double blue, double opacity);
+  void RemoveAllBoundaryColors();
+  ///@}
+
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
@@ -109,6 +126,8 @@ protected:
   vtkIntervalVolumeRepresentation();
   ~vtkIntervalVolumeRepresentation() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
@@ -116,6 +135,8 @@ private:
   vtkIntervalVolumeRepresentation(const vtkIntervalVolumeRepresentation&) = delete;
   void operator=(const vtkIntervalVolumeRepresentation&) = delete;
 
+  /// Passes the boundary triangles that the view has delivered to the mapper.
+  void UpdateBoundary(vtkInformation* view);
   /// Returns the color array, or null if the input of the mapper lacks it.
   vtkDataArray* FindScalars();
 
@@ -140,6 +161,8 @@ private:
 
   vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> Mapper;
   vtkNew<vtkTrivialProducer> Collection;
+  /// Boundary triangles of this process; null if there are none.
+  vtkSmartPointer<vtkDataSet> Boundary;
   vtkWeakPointer<vtkRenderer> ViewRenderer;
   unsigned long Observer = 0;
   /// Whether the data and the client are in this process, and no other process renders.

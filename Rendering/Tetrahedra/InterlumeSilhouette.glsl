@@ -26,6 +26,10 @@ uniform samplerBuffer colors;
 // `faces` tells which faces of each tetrahedron are boundary triangles: bit k stands for the face
 // opposite corner k. `surfacePoints` contains the normal and texture coordinates of each point.
 uniform isamplerBuffer faces;
+#ifdef SURFACE_MATERIALS
+// Material of the triangle opposite corner k: byte k.
+uniform usamplerBuffer faceMaterials;
+#endif
 uniform samplerBuffer surfacePoints;
 #endif
 
@@ -51,7 +55,7 @@ flat out mat4 colorPlane;
 flat out vec4 cellColor;
 #endif
 #ifdef SURFACE
-// 1 for boundary triangles, otherwise 0. baseFace is for the face on the base side, and otherFaces
+// 1 plus the number of the material for boundary triangles, otherwise 0. baseFace is for the face on the base side, and otherFaces
 // for the face on the other side next to each edge.
 flat out float baseFace;
 flat out vec4 otherFaces;
@@ -92,7 +96,7 @@ struct Corner
   float scalar;
   float deltaT;
   vec4 color;
-  // 1 if the opposite face is a boundary triangle.
+  // 1 plus the number of the material if the opposite face is a boundary triangle.
   float face;
   vec3 normal;
   vec2 texturePosition;
@@ -332,6 +336,9 @@ int makeSilhouette(int tetrahedron)
   for (int k = 0; k < 4; ++k)
   {
     c[k].face = float((tagged >> k) & 1);
+#ifdef SURFACE_MATERIALS
+    c[k].face *= 1.0 + float((texelFetch(faceMaterials, tetrahedron).x >> uint(8 * k)) & 255u);
+#endif
   }
 #endif
 #ifdef CELL_COLORS

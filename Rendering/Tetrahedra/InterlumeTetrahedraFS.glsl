@@ -61,10 +61,38 @@ uniform int numberOfLights;
 // Positions of the lights (w = 1), or directions toward them (w = 0).
 uniform vec4 lightPositions[MAXIMUM_LIGHTS];
 uniform vec3 lightColors[MAXIMUM_LIGHTS];
+uniform vec3 normalRows[3];
+#ifdef SURFACE_MATERIALS
+// Four vectors for each material: color, coefficients, specular color, and the texture's first pixel,
+// width, height and whether it is repeated. The width is 0 without a texture.
+uniform samplerBuffer surfaceMaterials;
+uniform samplerBuffer surfacePixels;
+// 1 plus the number of the material that shade() uses.
+float shadedFace;
+
+vec4 sampleTexture(vec4 image, vec2 position)
+{
+  bool isRepeated = image.w > 0.0;
+  vec2 size = image.yz;
+  vec2 at = (isRepeated ? fract(position) : clamp(position, 0.0, 1.0)) * size - 0.5;
+  vec2 first = floor(at);
+  vec4 ends = vec4(first, first + 1.0);
+  ends = isRepeated ? mod(ends + size.xyxy, size.xyxy) : clamp(ends, vec4(0.0), size.xyxy - 1.0);
+  ivec4 pixels = ivec4(ends + 0.5);
+  int start = int(image.x);
+  int width = int(size.x);
+  vec2 share = at - first;
+  vec4 low = mix(texelFetch(surfacePixels, start + pixels.y * width + pixels.x),
+    texelFetch(surfacePixels, start + pixels.y * width + pixels.z), share.x);
+  vec4 high = mix(texelFetch(surfacePixels, start + pixels.w * width + pixels.x),
+    texelFetch(surfacePixels, start + pixels.w * width + pixels.z), share.x);
+  return mix(low, high, share.y);
+}
+#else
 uniform vec4 surfaceColor;
 uniform vec4 surfaceCoefficients;
 uniform vec3 specularColor;
-uniform vec3 normalRows[3];
+#endif
 #ifndef PERSPECTIVE
 // Change of eye x and y along a view ray, per unit of depth.
 uniform vec2 tilt;
@@ -75,6 +103,14 @@ uniform sampler2D surfaceTexture;
 
 vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition)
 {
+#ifdef SURFACE_MATERIALS
+  int material = 4 * (int(shadedFace + 0.5) - 1);
+  vec4 surfaceColor = texelFetch(surfaceMaterials, material);
+  vec4 surfaceCoefficients = texelFetch(surfaceMaterials, material + 1);
+  vec3 specularColor = texelFetch(surfaceMaterials, material + 2).rgb;
+  vec4 image = texelFetch(surfaceMaterials, material + 3);
+  surfaceColor *= image.y > 0.0 ? sampleTexture(image, texturePosition) : vec4(1.0);
+#endif
   vec4 base = surfaceColor;
 #ifdef SURFACE_TEXTURE
   base *= texture(surfaceTexture, texturePosition);
@@ -381,6 +417,9 @@ void main()
     vec2 otherTexturePosition = baseTexturePosition + lambda * vec2(texturePlane[0].w, texturePlane[1].w);
     if (isFace.y > 0.0 && !isCut)
     {
+#ifdef SURFACE_MATERIALS
+      shadedFace = isFace.y;
+#endif
       vec4 behind = shade(baseIsBack ? baseDepth : otherDepth,
         (baseIsBack ? baseNormal : otherNormal) * weight.y,
         (baseIsBack ? baseTexturePosition : otherTexturePosition) * weight.y);
@@ -388,6 +427,9 @@ void main()
     }
     if (isFace.x > 0.0)
     {
+#ifdef SURFACE_MATERIALS
+      shadedFace = isFace.x;
+#endif
       vec4 before = shade(baseIsBack ? otherDepth : baseDepth,
         (baseIsBack ? otherNormal : baseNormal) * weight.x,
         (baseIsBack ? otherTexturePosition : baseTexturePosition) * weight.x);

@@ -32,12 +32,73 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace
 {
 const char* const DELTA_T = "DeltaT";
+/// Largest number of ids with a property or a texture: material 0 is for all other ids.
+constexpr std::size_t MAXIMUM_BOUNDARY_IDS = 255;
+
+/// Sets or removes the object of an id. Returns false if nothing changes.
+template <typename Object>
+bool SetById(std::map<int, vtkSmartPointer<Object>>& objects, int id, Object* object)
+{
+  if (!object)
+  {
+    return objects.erase(id) > 0;
+  }
+  vtkSmartPointer<Object>& entry = objects[id];
+  const bool isNew = entry != object;
+  entry = object;
+  return isNew;
+}
+
+template <typename Object>
+Object* GetById(const std::map<int, vtkSmartPointer<Object>>& objects, int id)
+{
+  const auto found = objects.find(id);
+  return found == objects.end() ? nullptr : found->second.Get();
+}
+
+/// Sets the materials of the boundary triangles. Returns an error if their ids cannot be used; all
+/// triangles then have the first material.
+interlume::Error FindBoundaryMaterials(
+  vtkTimeWeightedTetrahedraMapper* mapper, interlume::TetrahedraRenderer::Request& request)
+{
+  request.BoundarySources = { { mapper->GetBoundaryProperty(), mapper->GetBoundaryTexture() } };
+  const std::vector<int> ids = mapper->GetBoundaryIds();
+  const std::string name = mapper->GetBoundaryIdArrayName();
+  if (!request.Boundary || name.empty() || ids.empty())
+  {
+    return {};
+  }
+  if (ids.size() > MAXIMUM_BOUNDARY_IDS)
+  {
+    return std::to_string(ids.size()) + " boundary ids have a property or a texture, but at most " +
+      std::to_string(MAXIMUM_BOUNDARY_IDS) + " can have some; remove the others";
+  }
+  if (interlume::Error error =
+        interlume::ArrayCheck::FindCellError(request.Boundary, "boundary", name, 1))
+  {
+    return error.Within("", " for the boundary ids");
+  }
+  request.BoundaryMaterials.Ids = request.Boundary->GetCellData()->GetArray(name.c_str());
+  for (const int id : ids)
+  {
+    vtkProperty* property = mapper->GetBoundaryProperty(id);
+    vtkTexture* texture = mapper->GetBoundaryTexture(id);
+    request.BoundaryMaterials.Numbers[id] =
+      static_cast<unsigned char>(request.BoundarySources.size());
+    request.BoundarySources.push_back({ property ? property : mapper->GetBoundaryProperty(),
+      texture ? texture : mapper->GetBoundaryTexture() });
+  }
+  return {};
+}
 }
 
 vtkStandardNewMacro(vtkTimeWeightedTetrahedraMapper);
@@ -151,6 +212,66 @@ vtkTexture* vtkTimeWeightedTetrahedraMapper::GetBoundaryTexture() const
   return this->BoundaryTexture;
 }
 
+void vtkTimeWeightedTetrahedraMapper::SetBoundaryIdArrayName(const char* name)
+{
+  const std::string text = name ? name : "";
+  if (text != this->BoundaryIdArrayName)
+  {
+    this->BoundaryIdArrayName = text;
+    this->Modified();
+  }
+}
+
+void vtkTimeWeightedTetrahedraMapper::SetBoundaryProperty(int id, vtkProperty* property)
+{
+  if (SetById(this->BoundaryProperties, id, property))
+  {
+    this->Modified();
+  }
+}
+
+vtkProperty* vtkTimeWeightedTetrahedraMapper::GetBoundaryProperty(int id) const
+{
+  return GetById(this->BoundaryProperties, id);
+}
+
+void vtkTimeWeightedTetrahedraMapper::SetBoundaryTexture(int id, vtkTexture* texture)
+{
+  if (SetById(this->BoundaryTextures, id, texture))
+  {
+    this->Modified();
+  }
+}
+
+vtkTexture* vtkTimeWeightedTetrahedraMapper::GetBoundaryTexture(int id) const
+{
+  return GetById(this->BoundaryTextures, id);
+}
+
+void vtkTimeWeightedTetrahedraMapper::RemoveAllBoundaryIds()
+{
+  if (!this->BoundaryProperties.empty() || !this->BoundaryTextures.empty())
+  {
+    this->BoundaryProperties.clear();
+    this->BoundaryTextures.clear();
+    this->Modified();
+  }
+}
+
+std::vector<int> vtkTimeWeightedTetrahedraMapper::GetBoundaryIds() const
+{
+  std::set<int> ids;
+  for (const auto& entry : this->BoundaryProperties)
+  {
+    ids.insert(entry.first);
+  }
+  for (const auto& entry : this->BoundaryTextures)
+  {
+    ids.insert(entry.first);
+  }
+  return { ids.begin(), ids.end() };
+}
+
 void vtkTimeWeightedTetrahedraMapper::SetSelectionIds(vtkDataSet* ids)
 {
   if (ids != this->SelectionIds)
@@ -168,6 +289,14 @@ vtkDataSet* vtkTimeWeightedTetrahedraMapper::GetSelectionIds() const
 vtkMTimeType vtkTimeWeightedTetrahedraMapper::GetMTime()
 {
   vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->BoundaryProperty->GetMTime());
+  for (const auto& entry : this->BoundaryProperties)
+  {
+    time = std::max(time, entry.second->GetMTime());
+  }
+  for (const auto& entry : this->BoundaryTextures)
+  {
+    time = std::max(time, entry.second->GetMTime());
+  }
   return this->BoundaryTexture ? std::max(time, this->BoundaryTexture->GetMTime()) : time;
 }
 
@@ -352,6 +481,7 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
     this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
   interlume::Error error = hasGrid ? this->FindArrays(grid, request.Arrays) : interlume::Error();
   request.Grid = hasGrid && !error ? grid : nullptr;
+  error = error ? error : FindBoundaryMaterials(this, request);
   // Other processes wait for this one, so it must participate even if its partition has an error.
   if (request.Grid || request.Pieces)
   {
@@ -394,6 +524,8 @@ void vtkTimeWeightedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundaryProperty:\n";
   this->BoundaryProperty->PrintSelf(os, indent.GetNextIndent());
   os << indent << "BoundaryTexture: " << this->BoundaryTexture.Get() << "\n";
+  os << indent << "BoundaryIdArrayName: " << this->BoundaryIdArrayName << "\n";
+  os << indent << "BoundaryIds: " << this->GetBoundaryIds().size() << "\n";
   os << indent << "SelectionIds: " << this->SelectionIds.Get() << "\n";
   os << indent << "AutoAdjustLevelOfDetail: " << this->AutoAdjustLevelOfDetail << "\n";
   os << indent << "ProgressiveRendering: " << this->ProgressiveRendering << "\n";

@@ -11,6 +11,7 @@
 #include <map>    // for the priorities
 #include <memory> // for the private classes
 #include <string> // for array names
+#include <vector> // for lists of ids
 
 class vtkMultiProcessController;
 class vtkPolyData;
@@ -282,6 +283,24 @@ public:
 
   ///@{
   /**
+   * Set/Get the name of a cell array of integers of the boundary triangles, such as `BoundarySide`,
+   * and the property and the texture of all triangles with a value of this array. Values without a
+   * property or texture use those of all triangles; null removes them. At most 255 values can have
+   * some. Default: an empty name, none.
+   */
+  void SetBoundaryIdArrayName(const char* name);
+  const char* GetBoundaryIdArrayName() const { return this->BoundaryIdArrayName.c_str(); }
+  void SetBoundaryProperty(int id, vtkProperty* property);
+  vtkProperty* GetBoundaryProperty(int id) const;
+  void SetBoundaryTexture(int id, vtkTexture* texture);
+  vtkTexture* GetBoundaryTexture(int id) const;
+  void RemoveAllBoundaryIds();
+  /// Return the values that have a property or a texture, in ascending order.
+  std::vector<int> GetBoundaryIds() const;
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the ids that hardware selection returns, if port 0 was derived from other data. This is
    * a dataset with the same numbers of points and cells as port 0, and the arrays
    * SelectionCellIds(), SelectionBlockIds() and SelectionPointIds() of type vtkIdType. If the
@@ -403,6 +422,9 @@ private:
   std::map<int, double> LayerPriorities;
   vtkSmartPointer<vtkProperty> BoundaryProperty;
   vtkSmartPointer<vtkTexture> BoundaryTexture;
+  std::string BoundaryIdArrayName;
+  std::map<int, vtkSmartPointer<vtkProperty>> BoundaryProperties;
+  std::map<int, vtkSmartPointer<vtkTexture>> BoundaryTextures;
   vtkSmartPointer<vtkDataSet> SelectionIds;
   bool AutoAdjustLevelOfDetail = true;
   bool ProgressiveRendering = false;

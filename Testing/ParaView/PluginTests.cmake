@@ -89,6 +89,8 @@ plugin_test(TestPluginImage "paraview;image"
   ${batch} "${script}/TestPluginImage.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginImage.png")
 plugin_test(TestPluginBlankView "paraview;image"
   ${batch} "${script}/TestPluginBlankView.py" "${CMAKE_CURRENT_BINARY_DIR}")
+plugin_test(TestPluginBoundary "paraview;image"
+  ${batch} "${script}/TestPluginBoundary.py" "${CMAKE_CURRENT_BINARY_DIR}")
 plugin_test(TestPluginStreamSurface "paraview;image"
   ${batch} "${script}/TestPluginStreamSurface.py" "${CMAKE_CURRENT_BINARY_DIR}")
 plugin_test(TestPluginBlocks "paraview;image" ${batch} "${script}/TestPluginBlocks.py")

@@ -7,15 +7,18 @@
 #include "Support/Images/ReferenceRay.h"
 #include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
+#include "Support/Checks/ReferenceMessages.h"
 #include "Tetrahedra/MapperImage.h"
 
 #include "vtkActor.h"
+#include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -499,6 +502,196 @@ void TestChanges(Check& check, int path)
   expect("no triangles", nullptr);
 }
 
+/// Returns the faces in the planes z = 1/4, 1/2 and 3/4, with the cell array "surface": 7, -3
+/// and 99.
+vtkSmartPointer<vtkPolyData> MakePlanes(vtkUnstructuredGrid* grid)
+{
+  auto planes = MakeFaces(grid,
+    [](const double* x, int axis)
+    {
+      const double plane = 4.0 * x[axis];
+      return axis == 2 && (plane == 1.0 || plane == 2.0 || plane == 3.0) ? static_cast<int>(plane)
+                                                                         : -1;
+    });
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("surface");
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < planes->GetNumberOfCells(); ++cell)
+  {
+    planes->GetCellPoints(cell, corners);
+    const double z = planes->GetPoint(corners->GetId(0))[2];
+    ids->InsertNextValue(z < 0.3 ? 7 : z < 0.6 ? -3 : 99);
+  }
+  planes->GetCellData()->AddArray(ids);
+  return planes;
+}
+
+/// Tests color and alpha of a slab with three nested translucent planes of different colors,
+/// opacities and textures against the integral along each ray.
+void TestMaterials(Check& check, int path, bool parallel, const Point3& direction)
+{
+  constexpr double extinction = 1.2;
+  const Point3 slab = { { 0.9, 0.5, 0.1 } };
+  auto grid = MakeLayers(4, { 0.0, 0.25, 0.5, 0.75, 1.0 });
+  const ImageCase what =
+    MakeCase(grid, MakeProperty({ { 0.0, slab, extinction } }), direction, parallel, Size);
+  auto planes = MakePlanes(grid);
+  auto texture = MakeTexture(planes);
+  const Point3 colors[3] = { { { 1.0, 0.2, 0.4 } }, { { 0.5, 1.0, 0.8 } }, FaceColor };
+  const double opacities[3] = { 0.35, 0.6, 0.25 };
+  // Each part has all points of the grid. Those that it does not use have other coordinates.
+  vtkNew<vtkAppendPolyData> append;
+  for (const bool isLast : { false, true })
+  {
+    auto part = vtkSmartPointer<vtkPolyData>::New();
+    part->DeepCopy(planes);
+    for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
+    {
+      if (isLast != (part->GetCellData()->GetArray("surface")->GetComponent(cell, 0) == 99.0))
+      {
+        part->DeleteCell(cell);
+      }
+    }
+    part->RemoveDeletedCells();
+    if (isLast)
+    {
+      part->GetPointData()->GetTCoords()->Fill(0.0);
+    }
+    append->AddInputData(part);
+  }
+  append->Update();
+  Surface surface(path, append->GetOutput(), opacities[2]);
+  vtkNew<vtkProperty> properties[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    MakeFlat(properties[i], colors[i], opacities[i]);
+    surface.Drawer->SetBoundaryProperty(i == 0 ? 7 : -3, properties[i]);
+  }
+  surface.Drawer->SetBoundaryTexture(-3, texture);
+  surface.Drawer->SetBoundaryIdArrayName("surface");
+  const RgbaImage found = DrawByMapper(surface.Drawer, what);
+  const std::string name = GetName(path, parallel) + ", materials";
+  check.Equal(surface.Drawer->GetReport()->GetCount("BoundaryTriangles"), 3 * 4 * 4 * 2,
+    name + ": triangles");
+  const PixelRays rays(what.Camera, Size);
+  const Point3 halves[2] = { { { 1.0, 0.4, 0.0 } }, { { 0.2, 0.8, 1.0 } } };
+  int inside = 0;
+  int off = 0;
+  for (const auto& [j, i] : AllIndices(Size[1], Size[0]))
+  {
+    const Ray ray = rays.Get(i, j);
+    const double chord = GetChordLength(grid, ray);
+    const Real distance = (Real(0.5) - ray.Origin[2]) / ray.Direction[2];
+    const auto u = static_cast<double>(ray.Origin[0] + distance * ray.Direction[0]);
+    // Use only rays through both faces of the slab, away from the edge of the texture.
+    if (std::abs(chord * std::abs(static_cast<double>(ray.Direction[2])) - 1.0) > 1e-9 ||
+      std::abs(u - 0.5) < 0.02)
+    {
+      continue;
+    }
+    ++inside;
+    const bool isReversed = ray.Direction[2] < Real(0);
+    std::array<double, 4> expected{ { 0.0, 0.0, 0.0, 0.0 } };
+    const auto add = [&](const Point3& color, double opacity)
+    {
+      const double share = (1.0 - expected[3]) * opacity;
+      for (int k = 0; k < 3; ++k)
+      {
+        expected[k] += share * color[k];
+      }
+      expected[3] += share;
+    };
+    for (int layer = 0; layer < 4; ++layer)
+    {
+      add(slab, -std::expm1(-0.25 * extinction * chord));
+      if (layer < 3)
+      {
+        const int plane = isReversed ? 2 - layer : layer;
+        Point3 color = colors[plane];
+        for (int k = 0; k < 3 && plane == 1; ++k)
+        {
+          color[k] *= halves[u < 0.5 ? 0 : 1][k];
+        }
+        add(color, opacities[plane]);
+      }
+    }
+    double difference = 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      reference::KeepLargest(difference, std::abs(found.At(i, j)[k] - expected[k]));
+    }
+    off += difference > 1e-3 ? 1 : 0;
+  }
+  std::cout << name << ": " << off << " of " << inside << " pixels differ\n";
+  check.That(inside > 300, name + ": the slab is visible");
+  // OpenGL has single precision, in which a pixel next to an edge may belong to both triangles.
+  check.That(off <= (path == Mapper::SOFTWARE_PATH ? 0 : 1), name);
+}
+
+/// Tests changes of materials against a new mapper, and materials that equal the common one.
+void TestMaterialChanges(Check& check, int path)
+{
+  auto grid = MakeLayers(4, { 0.0, 0.25, 0.5, 0.75, 1.0 });
+  const ImageCase what =
+    MakeCase(grid, MakeProperty({ { 0.0, { { 0.9, 0.5, 0.1 } }, 0.8 } }), Slanted, false, Size);
+  auto planes = MakePlanes(grid);
+  auto texture = MakeTexture(planes);
+  const std::string name = GetPathName(path) + ", changed materials";
+  Surface plain(path, planes, 0.4);
+  const RgbaImage without = DrawByMapper(plain.Drawer, what);
+  Surface surface(path, planes, 0.4);
+  surface.Drawer->SetBoundaryIdArrayName("surface");
+  vtkNew<vtkProperty> same;
+  same->DeepCopy(surface.Property);
+  const auto compare = [&](const RgbaImage& expected, const std::string& how, bool isSame = true)
+  {
+    const double difference = CompareImages(DrawByMapper(surface.Drawer, what), expected).Max;
+    check.That(isSame ? difference < 1e-6 : difference > 0.01, name + ": " + how);
+  };
+  const auto drawNew = [&](vtkProperty* property, vtkTexture* image)
+  {
+    Surface made(path, planes, 0.4);
+    made.Drawer->SetBoundaryIdArrayName("surface");
+    made.Drawer->SetBoundaryProperty(7, property);
+    made.Drawer->SetBoundaryTexture(99, image);
+    return DrawByMapper(made.Drawer, what);
+  };
+  compare(without, "an array without materials");
+  surface.Drawer->SetBoundaryProperty(7, same);
+  compare(without, "the same material");
+  same->SetColor(1.0, 0.0, 0.0);
+  compare(without, "another color", false);
+  compare(drawNew(same, nullptr), "the color in a new mapper");
+  surface.Drawer->SetBoundaryTexture(99, texture);
+  compare(drawNew(same, texture), "a texture");
+  texture->RepeatOn();
+  compare(drawNew(same, texture), "a repeated texture");
+  same->SetOpacity(0.9);
+  compare(drawNew(same, texture), "opacity");
+  surface.Drawer->SetBoundaryTexture(99, nullptr);
+  surface.Drawer->SetBoundaryProperty(7, nullptr);
+  check.That(surface.Drawer->GetBoundaryIds().empty(), name + ": nothing left");
+  compare(without, "removed materials");
+  surface.Drawer->SetBoundaryProperty(7, same);
+  surface.Drawer->SetBoundaryIdArrayName(nullptr);
+  compare(without, "no array");
+  surface.Drawer->SetBoundaryIdArrayName("missing");
+  const std::string error =
+    CaptureErrors(surface.Drawer, [&] { compare(without, "a missing array"); });
+  check.Contains(error, "\"missing\"");
+  surface.Drawer->SetBoundaryIdArrayName("surface");
+  for (int id = 0; id < 256; ++id)
+  {
+    surface.Drawer->SetBoundaryProperty(id, same);
+  }
+  check.Contains(
+    CaptureErrors(surface.Drawer, [&] { compare(without, "too many ids"); }), "256 boundary ids");
+  surface.Drawer->SetBoundaryProperty(0, nullptr);
+  compare(drawNew(same, nullptr), "255 ids, of which two exist", false);
+  surface.Drawer->RemoveAllBoundaryIds();
+  compare(without, "all ids removed");
+}
+
 /// Tests that blend modes that do not support boundary triangles ignore them.
 void TestOtherModes(Check& check, int path)
 {
@@ -535,7 +728,10 @@ int TestTetrahedraMapperSurface(int, char*[])
       TestOpaque(check, path, parallel);
       TestTexture(check, path, parallel);
       TestFaces(check, path, parallel);
+      TestMaterials(check, path, parallel, FaceOn);
+      TestMaterials(check, path, parallel, { { 0.2, 0.1, -1.0 } });
     }
+    TestMaterialChanges(check, path);
     TestBothSides(check, path);
     TestUnmatched(check, path);
     TestChanges(check, path);

@@ -311,7 +311,7 @@ void CheckArea(Check& check)
   vtkNew<vtkProperty> half;
   half->SetOpacity(0.5);
   vtkNew<vtkRenderer> renderer;
-  shading.Set(renderer, frame.View, half, nullptr);
+  shading.Set(renderer, frame.View, { { half, nullptr } });
   frame.Surface = &shading;
   const Subset subset(frame, 4000);
   check.Near(getArea(subset.Mesh, subset.Fields), getArea(model.Mesh, fields), 0.15,

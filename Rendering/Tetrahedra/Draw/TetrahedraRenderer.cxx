@@ -864,12 +864,14 @@ void TetrahedraRenderer::UpdateBoundary(
   {
     return;
   }
-  if (this->Boundary != request.Boundary || this->BoundaryTime != request.Boundary->GetMTime())
+  if (this->Boundary != request.Boundary || this->BoundaryTime != request.Boundary->GetMTime() ||
+    !(this->BoundaryMaterials == request.BoundaryMaterials))
   {
     this->Boundary = request.Boundary;
     this->BoundaryTime = request.Boundary->GetMTime();
-    this->BoundaryCounts =
-      BoundaryFaces::Build(request.Boundary, request.Grid, this->Full.Mesh, this->Full.Fields);
+    this->BoundaryMaterials = request.BoundaryMaterials;
+    this->BoundaryCounts = BoundaryFaces::Build(request.Boundary, request.Grid, this->Full.Mesh,
+      request.BoundaryMaterials, this->Full.Fields);
     ++this->Full.Frame.Versions.Surface;
     ++this->Full.Frame.Versions.Boundary;
   }
@@ -878,10 +880,9 @@ void TetrahedraRenderer::UpdateBoundary(
   if (this->BoundaryCounts.Triangles > 0)
   {
     const BoundaryShading before = this->Shading;
-    this->Shading.Set(renderer, this->Full.Frame.View, request.Mapper->GetBoundaryProperty(),
-      request.Mapper->GetBoundaryTexture());
+    this->Shading.Set(renderer, this->Full.Frame.View, request.BoundarySources);
     this->Full.Frame.Versions.Surface += before == this->Shading ? 0 : 1;
-    this->Full.Frame.Versions.Boundary += before.HasSameImage(this->Shading) ? 0 : 1;
+    this->Full.Frame.Versions.Boundary += before.HasSameImages(this->Shading) ? 0 : 1;
     this->Full.Frame.Surface = &this->Shading;
   }
 }

@@ -58,6 +58,9 @@ public:
     vtkUnstructuredGrid* Grid = nullptr;
     TetrahedraArrays Arrays;
     vtkDataSet* Boundary = nullptr;
+    BoundaryFaces::Materials BoundaryMaterials;
+    /// Properties and textures of the boundary's materials.
+    std::vector<BoundaryShading::Source> BoundarySources;
     /// Communication with the other processes, or null if only this input is drawn. If not null,
     /// Grid may be null.
     const PieceExchange* Pieces = nullptr;
@@ -184,6 +187,7 @@ private:
   /// The data that the boundary was built from.
   vtkDataSet* Boundary = nullptr;
   vtkMTimeType BoundaryTime = 0;
+  BoundaryFaces::Materials BoundaryMaterials;
   BoundaryFaces::Counts BoundaryCounts;
   BoundaryShading Shading;
 

@@ -274,6 +274,7 @@ TetrahedraFields CopyFields(const TetrahedraFrame& frame, const Members& members
   copy(from.DeltaT, to.DeltaT, true);
   copy(from.Layers, to.Layers, false);
   copy(from.Faces, to.Faces, false);
+  copy(from.FaceMaterials, to.FaceMaterials, false);
   copy(from.Normals, to.Normals, true);
   copy(from.TextureCoordinates, to.TextureCoordinates, true);
   if (to.DeltaT.empty())
@@ -331,7 +332,7 @@ std::vector<TetrahedraSubset::Member> TetrahedraSubset::Select(std::uint32_t num
 bool TetrahedraSubset::Update(const TetrahedraFrame& frame, std::uint32_t number,
   TetrahedraMesh& mesh, TetrahedraFields& fields)
 {
-  const float opacity = frame.Surface ? frame.Surface->GetColor()[3] : 0.0f;
+  const float opacity = frame.Surface ? frame.Surface->GetLargestOpacity() : 0.0f;
   TetrahedraFrame::Changes versions = frame.Versions;
   versions.Order = 0;
   versions.Surface = 0;

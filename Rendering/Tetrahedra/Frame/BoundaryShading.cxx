@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/BoundaryShading.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -28,20 +29,46 @@ glm::dvec3 Normalized(const glm::dvec3& v)
 }
 
 void BoundaryShading::Set(
-  vtkRenderer* renderer, const TetrahedraView& view, vtkProperty* property, vtkTexture* texture)
+  vtkRenderer* renderer, const TetrahedraView& view, const std::vector<Source>& materials)
 {
-  this->Base = { { 0.0f, 0.0f, 0.0f, static_cast<float>(property->GetOpacity()) } };
-  for (int c = 0; c < 3; ++c)
+  this->Materials.resize(materials.size());
+  for (std::size_t i = 0; i < materials.size(); ++i)
   {
-    this->Base[c] = static_cast<float>(property->GetDiffuseColor()[c]);
-    this->SpecularColor[c] = static_cast<float>(property->GetSpecularColor()[c]);
+    vtkProperty* property = materials[i].Property;
+    Material& material = this->Materials[i];
+    material.Base[3] = static_cast<float>(property->GetOpacity());
+    for (int c = 0; c < 3; ++c)
+    {
+      material.Base[c] = static_cast<float>(property->GetDiffuseColor()[c]);
+      material.SpecularColor[c] = static_cast<float>(property->GetSpecularColor()[c]);
+    }
+    const bool isLit = property->GetLighting();
+    material.Coefficients = { { static_cast<float>(isLit ? property->GetAmbient() : 1.0),
+      static_cast<float>(isLit ? property->GetDiffuse() : 0.0),
+      static_cast<float>(isLit ? property->GetSpecular() : 0.0),
+      static_cast<float>(property->GetSpecularPower()) } };
+    material.Texture.Set(materials[i].Texture);
   }
-  const bool isLit = property->GetLighting();
-  this->Coefficients = { { static_cast<float>(isLit ? property->GetAmbient() : 1.0),
-    static_cast<float>(isLit ? property->GetDiffuse() : 0.0),
-    static_cast<float>(isLit ? property->GetSpecular() : 0.0),
-    static_cast<float>(property->GetSpecularPower()) } };
+  this->SetLights(renderer, view);
 
+  // Cofactors transform normals: they equal the inverse transpose up to a factor.
+  const std::array<double, 12>& m = view.GetEyeFromMesh();
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const int i1 = (i + 1) % 3;
+      const int i2 = (i + 2) % 3;
+      const int j1 = (j + 1) % 3;
+      const int j2 = (j + 2) % 3;
+      this->NormalMatrix[3 * i + j] =
+        static_cast<float>(m[4 * i1 + j1] * m[4 * i2 + j2] - m[4 * i1 + j2] * m[4 * i2 + j1]);
+    }
+  }
+}
+
+void BoundaryShading::SetLights(vtkRenderer* renderer, const TetrahedraView& view)
+{
   this->Lights.clear();
   vtkCollectionSimpleIterator iterator;
   renderer->GetLights()->InitTraversal(iterator);
@@ -66,53 +93,38 @@ void BoundaryShading::Set(
     }
     this->Lights.push_back(eyeLight);
   }
-
-  // Cofactors transform normals: they equal the inverse transpose up to a factor.
-  const std::array<double, 12>& m = view.GetEyeFromMesh();
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      const int i1 = (i + 1) % 3;
-      const int i2 = (i + 2) % 3;
-      const int j1 = (j + 1) % 3;
-      const int j2 = (j + 2) % 3;
-      this->NormalMatrix[3 * i + j] =
-        static_cast<float>(m[4 * i1 + j1] * m[4 * i2 + j2] - m[4 * i1 + j2] * m[4 * i2 + j1]);
-    }
-  }
-  this->SetImage(texture);
 }
 
-void BoundaryShading::SetImage(vtkTexture* texture)
+void BoundaryShading::Image::Set(vtkTexture* texture)
 {
+  if (texture && texture->GetInputAlgorithm())
+  {
+    texture->GetInputAlgorithm()->Update();
+  }
   vtkImageData* input = texture ? texture->GetInput() : nullptr;
   vtkDataArray* scalars = input ? input->GetPointData()->GetScalars() : nullptr;
   if (!scalars)
   {
-    this->Image = std::make_shared<const std::vector<Color>>();
-    this->ImageWidth = 0;
-    this->ImageHeight = 0;
-    this->ImageTime = 0;
+    *this = Image();
     return;
   }
   this->Repeated = texture->GetRepeat() != 0;
   const vtkMTimeType time = std::max(input->GetMTime(), texture->GetMTime());
-  if (time == this->ImageTime)
+  if (time == this->Time)
   {
     return;
   }
-  this->ImageTime = time;
+  this->Time = time;
   int dimensions[3];
   input->GetDimensions(dimensions);
-  this->ImageWidth = dimensions[0];
-  this->ImageHeight = dimensions[1];
+  this->Width = dimensions[0];
+  this->Height = dimensions[1];
   const bool isColor =
     vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() <= 4;
   // Arrays other than colors are mapped through the lookup table of the texture.
   unsigned char* mapped = isColor ? nullptr : texture->MapScalarsToColors(scalars);
   const int components = isColor ? scalars->GetNumberOfComponents() : 4;
-  const auto pixels = static_cast<std::size_t>(this->ImageWidth) * this->ImageHeight;
+  const auto pixels = static_cast<std::size_t>(this->Width) * this->Height;
   auto image = std::make_shared<std::vector<Color>>(pixels, Color{ { 0.0f, 0.0f, 0.0f, 1.0f } });
   for (std::size_t i = 0; i < pixels; ++i)
   {
@@ -132,10 +144,10 @@ void BoundaryShading::SetImage(vtkTexture* texture)
       (*image)[i][3] = get(components - 1);
     }
   }
-  this->Image = image;
+  this->Pixels = image;
 }
 
-BoundaryShading::Color BoundaryShading::Sample(double u, double v) const
+BoundaryShading::Color BoundaryShading::Image::Sample(double u, double v) const
 {
   // Bilinear interpolation between texel centers.
   const auto position = [this](double t, int size, int ends[2])
@@ -152,10 +164,10 @@ BoundaryShading::Color BoundaryShading::Sample(double u, double v) const
   };
   int x[2];
   int y[2];
-  const float a = position(u, this->ImageWidth, x);
-  const float b = position(v, this->ImageHeight, y);
+  const float a = position(u, this->Width, x);
+  const float b = position(v, this->Height, y);
   const auto pixel = [&](int i, int j) -> const Color&
-  { return (*this->Image)[static_cast<std::size_t>(y[j]) * this->ImageWidth + x[i]]; };
+  { return (*this->Pixels)[static_cast<std::size_t>(y[j]) * this->Width + x[i]]; };
   Color color;
   for (int c = 0; c < 4; ++c)
   {
@@ -166,13 +178,13 @@ BoundaryShading::Color BoundaryShading::Sample(double u, double v) const
   return color;
 }
 
-BoundaryShading::Color BoundaryShading::Shade(const glm::dvec3& eye, const glm::dvec3& normal,
-  const std::array<double, 2>& textureCoordinates) const
+BoundaryShading::Color BoundaryShading::Shade(const Material& material, const glm::dvec3& eye,
+  const glm::dvec3& normal, const std::array<double, 2>& textureCoordinates) const
 {
-  Color base = this->Base;
-  if (!this->Image->empty())
+  Color base = material.Base;
+  if (!material.Texture.IsEmpty())
   {
-    const Color texel = this->Sample(textureCoordinates[0], textureCoordinates[1]);
+    const Color texel = material.Texture.Sample(textureCoordinates[0], textureCoordinates[1]);
     for (int c = 0; c < 4; ++c)
     {
       base[c] *= texel[c];
@@ -193,7 +205,7 @@ BoundaryShading::Color BoundaryShading::Shade(const glm::dvec3& eye, const glm::
   Color color;
   for (int c = 0; c < 3; ++c)
   {
-    color[c] = base[c] * this->Coefficients[0];
+    color[c] = base[c] * material.Coefficients[0];
   }
   for (const Light& light : this->Lights)
   {
@@ -206,12 +218,12 @@ BoundaryShading::Color BoundaryShading::Shade(const glm::dvec3& eye, const glm::
     }
     const glm::dvec3 reflected = 2.0 * cosine * n - toward;
     const double specular =
-      std::pow(std::max(glm::dot(reflected, view), 0.0), this->Coefficients[3]);
+      std::pow(std::max(glm::dot(reflected, view), 0.0), material.Coefficients[3]);
     for (int c = 0; c < 3; ++c)
     {
       color[c] += light.Color[c] *
-        static_cast<float>(base[c] * this->Coefficients[1] * cosine +
-          this->SpecularColor[c] * this->Coefficients[2] * specular);
+        static_cast<float>(base[c] * material.Coefficients[1] * cosine +
+          material.SpecularColor[c] * material.Coefficients[2] * specular);
     }
   }
   for (int c = 0; c < 3; ++c)
@@ -222,13 +234,29 @@ BoundaryShading::Color BoundaryShading::Shade(const glm::dvec3& eye, const glm::
   return color;
 }
 
+float BoundaryShading::GetLargestOpacity() const
+{
+  float largest = 0.0f;
+  for (const Material& material : this->Materials)
+  {
+    largest = std::max(largest, material.Base[3]);
+  }
+  return largest;
+}
+
+bool BoundaryShading::HasSameImages(const BoundaryShading& other) const
+{
+  return std::equal(this->Materials.begin(), this->Materials.end(), other.Materials.begin(),
+    other.Materials.end(),
+    [](const Material& a, const Material& b) { return a.Texture == b.Texture; });
+}
+
 bool BoundaryShading::operator==(const BoundaryShading& other) const
 {
   const auto isSame = [](const Light& a, const Light& b)
   { return a.Position == b.Position && a.IsPositional == b.IsPositional && a.Color == b.Color; };
-  return this->Base == other.Base && this->Coefficients == other.Coefficients &&
-    this->SpecularColor == other.SpecularColor && this->NormalMatrix == other.NormalMatrix &&
-    this->HasSameImage(other) && this->Lights.size() == other.Lights.size() &&
+  return this->Materials == other.Materials && this->NormalMatrix == other.NormalMatrix &&
+    this->Lights.size() == other.Lights.size() &&
     std::equal(this->Lights.begin(), this->Lights.end(), other.Lights.begin(), isSame);
 }
 

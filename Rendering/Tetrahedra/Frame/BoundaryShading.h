@@ -21,7 +21,8 @@ namespace interlume
  * @brief   computes the color of boundary triangles
  *
  * It uses up to MAXIMUM_LIGHTS enabled lights of the renderer, with two-sided ambient, diffuse and
- * specular shading, and an optional texture.
+ * specular shading, and an optional texture. There are one or more materials, each with its color,
+ * coefficients and texture.
  */
 class BoundaryShading
 {
@@ -37,54 +38,84 @@ public:
     std::array<float, 3> Color;
   };
 
+  /// Image of a texture.
+  class Image
+  {
+  public:
+    void Set(vtkTexture* texture);
+    Color Sample(double u, double v) const;
+
+    bool IsEmpty() const { return this->Pixels->empty(); }
+    /// Returns the pixels, bottom row first.
+    const std::vector<Color>& GetPixels() const { return *this->Pixels; }
+    int GetWidth() const { return this->Width; }
+    int GetHeight() const { return this->Height; }
+    bool IsRepeated() const { return this->Repeated; }
+    bool operator==(const Image& other) const
+    {
+      return this->Time == other.Time && this->Repeated == other.Repeated;
+    }
+
+  private:
+    /// Copies of this object, which are used to detect changes, share the pixels.
+    std::shared_ptr<const std::vector<Color>> Pixels = std::make_shared<const std::vector<Color>>();
+    vtkMTimeType Time = 0;
+    int Width = 0;
+    int Height = 0;
+    bool Repeated = false;
+  };
+
+  struct Material
+  {
+    /// Diffuse color and opacity.
+    Color Base{};
+    /// Ambient, diffuse and specular coefficients, and specular power.
+    Color Coefficients{};
+    std::array<float, 3> SpecularColor{};
+    Image Texture;
+
+    bool operator==(const Material& other) const
+    {
+      return this->Base == other.Base && this->Coefficients == other.Coefficients &&
+        this->SpecularColor == other.SpecularColor && this->Texture == other.Texture;
+    }
+  };
+
+  /// Property of a material, and its texture, which may be null.
+  struct Source
+  {
+    vtkProperty* Property;
+    vtkTexture* Texture;
+  };
+
   /**
-   * Reads the lights, the property and the texture, which may be null.
+   * Reads the lights and the materials, of which there must be at least one.
    */
-  void Set(
-    vtkRenderer* renderer, const TetrahedraView& view, vtkProperty* property, vtkTexture* texture);
+  void Set(vtkRenderer* renderer, const TetrahedraView& view, const std::vector<Source>& materials);
 
   /**
    * Returns the RGBA color, premultiplied by opacity, at a point in eye coordinates. \a normal is
    * in mesh coordinates and may have any length and orientation.
    */
-  Color Shade(const glm::dvec3& eye, const glm::dvec3& normal,
+  Color Shade(const Material& material, const glm::dvec3& eye, const glm::dvec3& normal,
     const std::array<double, 2>& textureCoordinates) const;
 
   const std::vector<Light>& GetLights() const { return this->Lights; }
-  /// Returns the diffuse color and the opacity.
-  const Color& GetColor() const { return this->Base; }
-  /// Returns the ambient, diffuse and specular coefficients and the specular power.
-  const Color& GetCoefficients() const { return this->Coefficients; }
-  const std::array<float, 3>& GetSpecularColor() const { return this->SpecularColor; }
+  const std::vector<Material>& GetMaterials() const { return this->Materials; }
+  /// Returns the largest opacity of all materials.
+  float GetLargestOpacity() const;
   /// Returns the 3 x 3 matrix from mesh to eye coordinates for normals, in row-major order.
   const std::array<float, 9>& GetNormalMatrix() const { return this->NormalMatrix; }
-  /// Returns the texture's pixels, bottom row first; empty if there is no texture.
-  const std::vector<Color>& GetImage() const { return *this->Image; }
-  int GetImageWidth() const { return this->ImageWidth; }
-  int GetImageHeight() const { return this->ImageHeight; }
-  bool IsTextureRepeated() const { return this->Repeated; }
 
-  bool HasSameImage(const BoundaryShading& other) const
-  {
-    return this->ImageTime == other.ImageTime && this->Repeated == other.Repeated;
-  }
+  bool HasSameImages(const BoundaryShading& other) const;
   bool operator==(const BoundaryShading& other) const;
 
 private:
-  void SetImage(vtkTexture* texture);
-  Color Sample(double u, double v) const;
+  void SetLights(vtkRenderer* renderer, const TetrahedraView& view);
 
   std::vector<Light> Lights;
-  Color Base{};
-  Color Coefficients{};
-  std::array<float, 3> SpecularColor{};
+  std::vector<Material> Materials;
   std::array<float, 9> NormalMatrix{};
-  /// The texture image. Copies of this object, which are used to detect changes, share it.
-  std::shared_ptr<const std::vector<Color>> Image = std::make_shared<const std::vector<Color>>();
-  vtkMTimeType ImageTime = 0;
-  int ImageWidth = 0;
-  int ImageHeight = 0;
-  bool Repeated = false;
 };
 
 }

@@ -37,6 +37,9 @@ struct TetrahedraFields
   /// Bit mask of each tetrahedron: bit k is set if the face opposite corner k is a boundary
   /// triangle. Faces, Normals and TextureCoordinates are empty if no boundary triangles are drawn.
   std::vector<unsigned char> Faces;
+  /// Material of the triangle opposite each corner of each tetrahedron (BoundaryShading); empty if
+  /// there is only one material.
+  std::vector<std::array<unsigned char, 4>> FaceMaterials;
   /// Normals at points.
   std::vector<std::array<float, 3>> Normals;
   /// Texture coordinates at points; empty if the boundary triangles have none.

@@ -66,6 +66,45 @@ std::vector<float> MakePoints(const TetrahedraMesh& mesh)
   return values;
 }
 
+/// Returns true if the boundary triangles have several materials.
+bool HasMaterials(const TetrahedraFrame& frame)
+{
+  return frame.Surface && !frame.Fields->FaceMaterials.empty();
+}
+
+/// Returns four vectors for each material: color, coefficients, specular color, and the texture's
+/// first pixel in MakePixels(), width (0 without a texture), height, and 1 if it is repeated.
+std::vector<float> MakeMaterials(const BoundaryShading& shading)
+{
+  std::vector<float> values;
+  std::size_t first = 0;
+  for (const BoundaryShading::Material& material : shading.GetMaterials())
+  {
+    values.insert(values.end(), material.Base.begin(), material.Base.end());
+    values.insert(values.end(), material.Coefficients.begin(), material.Coefficients.end());
+    values.insert(values.end(), material.SpecularColor.begin(), material.SpecularColor.end());
+    const BoundaryShading::Image& image = material.Texture;
+    values.insert(values.end(),
+      { 0.0f, static_cast<float>(first), static_cast<float>(image.IsEmpty() ? 0 : image.GetWidth()),
+        static_cast<float>(image.GetHeight()), image.IsRepeated() ? 1.0f : 0.0f });
+    first += image.GetPixels().size();
+  }
+  return values;
+}
+
+/// Returns the pixels of all textures, and one that is not used, since a buffer must not be empty.
+std::vector<BoundaryShading::Color> MakePixels(const BoundaryShading& shading)
+{
+  std::vector<BoundaryShading::Color> pixels;
+  for (const BoundaryShading::Material& material : shading.GetMaterials())
+  {
+    const std::vector<BoundaryShading::Color>& from = material.Texture.GetPixels();
+    pixels.insert(pixels.end(), from.begin(), from.end());
+  }
+  pixels.emplace_back();
+  return pixels;
+}
+
 /// Maximum number of tetrahedra per draw call. The indices of their vertices, four per tetrahedron,
 /// must fit in 16 bits.
 constexpr int STRIPS = 1 << 14;
@@ -123,7 +162,9 @@ std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool has
   features += frame.IsExact ? " EXACT" : "";
   if (frame.Surface)
   {
-    features += frame.Surface->GetImage().empty() ? " SURFACE" : " SURFACE SURFACE_TEXTURE";
+    features += HasMaterials(frame)                             ? " SURFACE SURFACE_MATERIALS"
+      : frame.Surface->GetMaterials().front().Texture.IsEmpty() ? " SURFACE"
+                                                                : " SURFACE SURFACE_TEXTURE";
   }
   features += frame.Order ? " ORDERED" : "";
   if (frame.Blend == TetrahedraFrame::MAXIMUM)
@@ -177,6 +218,13 @@ void OpenGLRasterizer::Upload(
   {
     bytes += this->UploadSurface(window, frame);
   }
+  if (HasMaterials(frame) &&
+    (isNew(&Changes::Surface) || isNew(&Changes::Boundary) ||
+      !this->Buffers["surfaceMaterials"].IsAllocated()))
+  {
+    bytes += this->Upload(
+      window, "surfaceMaterials", TextureBuffer::FLOAT4, MakeMaterials(*frame.Surface));
+  }
   TextureBuffer& order = this->Buffers["order"];
   if (!frame.Order)
   {
@@ -221,21 +269,32 @@ vtkIdType OpenGLRasterizer::UploadSurface(
   vtkIdType bytes = this->Upload(window, "faces", TextureBuffer::INT,
     std::vector<std::int32_t>(fields.Faces.begin(), fields.Faces.end()));
   bytes += this->Upload(window, "surfacePoints", TextureBuffer::FLOAT4, points);
-  const BoundaryShading& shading = *frame.Surface;
-  if (!shading.GetImage().empty())
+  if (HasMaterials(frame))
+  {
+    std::vector<std::uint32_t> materials;
+    for (const std::array<unsigned char, 4>& of : fields.FaceMaterials)
+    {
+      materials.push_back(
+        of[0] | of[1] << 8 | of[2] << 16 | static_cast<std::uint32_t>(of[3]) << 24);
+    }
+    bytes += this->Upload(window, "faceMaterials", TextureBuffer::UINT, materials);
+    return bytes +
+      this->Upload(window, "surfacePixels", TextureBuffer::FLOAT4, MakePixels(*frame.Surface));
+  }
+  const BoundaryShading::Image& image = frame.Surface->GetMaterials().front().Texture;
+  if (!image.IsEmpty())
   {
     vtkTextureObject* texture = this->SurfaceTexture;
     texture->SetContext(window);
-    const int wrap =
-      shading.IsTextureRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
+    const int wrap = image.IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
     texture->SetMinificationFilter(vtkTextureObject::Linear);
     texture->SetMagnificationFilter(vtkTextureObject::Linear);
     texture->SetWrapS(wrap);
     texture->SetWrapT(wrap);
-    texture->Create2DFromRaw(static_cast<unsigned int>(shading.GetImageWidth()),
-      static_cast<unsigned int>(shading.GetImageHeight()), 4, VTK_FLOAT,
-      const_cast<float*>(shading.GetImage()[0].data()));
-    bytes += static_cast<vtkIdType>(shading.GetImage().size() * sizeof(BoundaryShading::Color));
+    texture->Create2DFromRaw(static_cast<unsigned int>(image.GetWidth()),
+      static_cast<unsigned int>(image.GetHeight()), 4, VTK_FLOAT,
+      const_cast<float*>(image.GetPixels()[0].data()));
+    bytes += static_cast<vtkIdType>(image.GetPixels().size() * sizeof(BoundaryShading::Color));
   }
   return bytes;
 }
@@ -256,11 +315,16 @@ void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const Tetra
   program->SetUniformi("numberOfLights", lights);
   program->SetUniform4fv("lightPositions", BoundaryShading::MAXIMUM_LIGHTS, positions);
   program->SetUniform3fv("lightColors", BoundaryShading::MAXIMUM_LIGHTS, colors);
-  program->SetUniform4f("surfaceColor", shading.GetColor().data());
-  program->SetUniform4f("surfaceCoefficients", shading.GetCoefficients().data());
-  program->SetUniform3f("specularColor", shading.GetSpecularColor().data());
   program->SetUniform3fv("normalRows", 3, shading.GetNormalMatrix().data());
-  if (!shading.GetImage().empty())
+  if (HasMaterials(frame))
+  {
+    return;
+  }
+  const BoundaryShading::Material& material = shading.GetMaterials().front();
+  program->SetUniform4f("surfaceColor", material.Base.data());
+  program->SetUniform4f("surfaceCoefficients", material.Coefficients.data());
+  program->SetUniform3f("specularColor", material.SpecularColor.data());
+  if (!material.Texture.IsEmpty())
   {
     program->SetUniformi("surfaceTexture", this->SurfaceTexture->GetTextureUnit());
   }
@@ -455,7 +519,8 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
     return false;
   }
   this->ActivateBuffers(program);
-  const bool hasTexture = frame.Surface && !frame.Surface->GetImage().empty();
+  const bool hasTexture = frame.Surface && !HasMaterials(frame) &&
+    !frame.Surface->GetMaterials().front().Texture.IsEmpty();
   if (hasTexture)
   {
     this->SurfaceTexture->Activate();

@@ -90,6 +90,32 @@ std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGri
   return match;
 }
 
+std::vector<bool> FindUsedPoints(vtkDataSet* data)
+{
+  std::vector<bool> isUsed(static_cast<std::size_t>(data->GetNumberOfPoints()), false);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, ids);
+    for (const vtkIdType id : *ids)
+    {
+      isUsed[static_cast<std::size_t>(id)] = true;
+    }
+  }
+  return isUsed;
+}
+
+unsigned char FindMaterial(const BoundaryFaces::Materials& materials, vtkIdType cell)
+{
+  const double id = materials.IsEmpty() ? 0.0 : materials.Ids->GetComponent(cell, 0);
+  if (materials.IsEmpty() || !(std::abs(id) <= VTK_INT_MAX))
+  {
+    return 0;
+  }
+  const auto found = materials.Numbers.find(static_cast<int>(id));
+  return found == materials.Numbers.end() ? 0 : found->second;
+}
+
 // Adds a triangle's normal, weighted by area, to the normals of its corners.
 void AddNormal(const TetrahedraMesh& mesh, const Ids& ids, TetrahedraFields& fields)
 {
@@ -108,12 +134,13 @@ void AddNormal(const TetrahedraMesh& mesh, const Ids& ids, TetrahedraFields& fie
 void BoundaryFaces::Clear(TetrahedraFields& fields)
 {
   fields.Faces.clear();
+  fields.FaceMaterials.clear();
   fields.Normals.clear();
   fields.TextureCoordinates.clear();
 }
 
 BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructuredGrid* grid,
-  const TetrahedraMesh& mesh, TetrahedraFields& fields)
+  const TetrahedraMesh& mesh, const Materials& materials, TetrahedraFields& fields)
 {
   Clear(fields);
   Counts counts;
@@ -126,14 +153,20 @@ BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructure
   {
     fields.TextureCoordinates.assign(points, { { 0.0f, 0.0f } });
   }
+  // Points that several appended surfaces share exist several times. Each surface uses its own.
+  const std::vector<bool> isUsed = FindUsedPoints(triangles);
   for (std::size_t p = 0; p < match.size(); ++p)
   {
     const auto id = static_cast<vtkIdType>(p);
-    for (int i = 0; i < 3 && normals && match[p] != NONE; ++i)
+    if (match[p] == NONE || !isUsed[p])
+    {
+      continue;
+    }
+    for (int i = 0; i < 3 && normals; ++i)
     {
       fields.Normals[match[p]][i] = static_cast<float>(normals->GetComponent(id, i));
     }
-    for (int i = 0; i < 2 && coordinates && match[p] != NONE; ++i)
+    for (int i = 0; i < 2 && coordinates; ++i)
     {
       const bool has = i < coordinates->GetNumberOfComponents();
       fields.TextureCoordinates[match[p]][i] =
@@ -141,8 +174,13 @@ BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructure
     }
   }
 
-  // Sorted corners of each triangle, and whether a tetrahedron with this face was found.
-  std::unordered_map<Ids, bool, Hash> faces;
+  // Triangles by their sorted corners.
+  struct Triangle
+  {
+    unsigned char Material;
+    bool IsFound;
+  };
+  std::unordered_map<Ids, Triangle, Hash> faces;
   std::vector<bool> isCorner(points, false);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
@@ -167,9 +205,13 @@ BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructure
       isCorner[corner] = true;
     }
     std::sort(corners.begin(), corners.end());
-    faces.emplace(corners, false);
+    faces.emplace(corners, Triangle{ FindMaterial(materials, cell), false });
   }
   fields.Faces.assign(mesh.GetNumberOfTetrahedra(), 0);
+  if (!materials.IsEmpty())
+  {
+    fields.FaceMaterials.assign(mesh.GetNumberOfTetrahedra(), { { 0, 0, 0, 0 } });
+  }
   for (std::uint32_t t = 0; t < mesh.GetNumberOfTetrahedra(); ++t)
   {
     const std::uint32_t* corners = mesh.GetCorners(t);
@@ -184,9 +226,13 @@ BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructure
       }
       std::sort(key.begin(), key.end());
       const auto found = faces.find(key);
-      if (found != faces.end() && !found->second)
+      if (found != faces.end() && !found->second.IsFound)
       {
-        found->second = true;
+        found->second.IsFound = true;
+        if (!materials.IsEmpty())
+        {
+          fields.FaceMaterials[t][face] = found->second.Material;
+        }
         fields.Faces[t] = static_cast<unsigned char>(fields.Faces[t] | (1u << face));
         ++counts.Triangles;
       }

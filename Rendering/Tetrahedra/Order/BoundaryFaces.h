@@ -7,6 +7,9 @@
 
 #include "vtkType.h"
 
+#include <map>
+
+class vtkDataArray;
 class vtkDataSet;
 class vtkUnstructuredGrid;
 
@@ -23,6 +26,19 @@ namespace interlume
 class BoundaryFaces
 {
 public:
+  /// Materials by the values of a cell array of the triangles. All others have material 0.
+  struct Materials
+  {
+    vtkDataArray* Ids = nullptr;
+    std::map<int, unsigned char> Numbers;
+
+    bool IsEmpty() const { return !this->Ids || this->Numbers.empty(); }
+    bool operator==(const Materials& other) const
+    {
+      return this->Ids == other.Ids && this->Numbers == other.Numbers;
+    }
+  };
+
   struct Counts
   {
     vtkIdType Triangles = 0;
@@ -32,10 +48,11 @@ public:
 
   /**
    * Sets faces, normals and texture coordinates of \a fields. If \a triangles has no normals, point
-   * normals are averaged from the adjacent triangles.
+   * normals are averaged from the adjacent triangles. Also sets the materials of the faces if \a
+   * materials is not empty.
    */
   static Counts Build(vtkDataSet* triangles, vtkUnstructuredGrid* grid, const TetrahedraMesh& mesh,
-    TetrahedraFields& fields);
+    const Materials& materials, TetrahedraFields& fields);
 
   /**
    * Removes faces, normals and texture coordinates.

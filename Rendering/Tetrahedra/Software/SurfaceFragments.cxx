@@ -121,9 +121,12 @@ void SurfaceFragments::Compute(
           continue;
         }
         const double weight = view.IsParallel() ? 1.0 : at[0];
-        this->Colors[end][i] = this->Frame.Surface->Shade(view.GetEyeCoordinates(x, y, at[0]),
-          { at[1] / weight, at[2] / weight, at[3] / weight },
-          { { at[4] / weight, at[5] / weight } });
+        const auto& materials = this->Frame.Fields->FaceMaterials;
+        const std::size_t material = materials.empty() ? 0 : materials[r.Tetrahedron][face];
+        this->Colors[end][i] =
+          this->Frame.Surface->Shade(this->Frame.Surface->GetMaterials()[material],
+            view.GetEyeCoordinates(x, y, at[0]), { at[1] / weight, at[2] / weight, at[3] / weight },
+            { { at[4] / weight, at[5] / weight } });
       }
     }
   }

@@ -13,12 +13,16 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkGeometryFilter.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSimplexTimeSlice.h"
 #include "vtkTimeVaryingSettings.h"
+#include "vtkTriangle.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -112,6 +116,27 @@ void TestRandomSimplices(Check& check)
   }
 }
 
+/// Returns the area of the boundary of tetrahedra, from VTK's filter.
+double MeasureBoundary(vtkDataSet* tetrahedra)
+{
+  vtkNew<vtkGeometryFilter> surface;
+  surface->SetInputData(tetrahedra);
+  surface->Update();
+  double area = 0.0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < surface->GetOutput()->GetNumberOfCells(); ++cell)
+  {
+    surface->GetOutput()->GetCellPoints(cell, ids);
+    double x[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetOutput()->GetPoint(ids->GetId(i), x[i]);
+    }
+    area += vtkTriangle::TriangleArea(x[0], x[1], x[2]);
+  }
+  return area;
+}
+
 /// Hypercubes fill [0,1]^3 x [0,3]. Their slices along a spatial axis fill a box, also where faces
 /// of hypercubes lie in the hyperplane and at the ends.
 void TestFilledBoxes(Check& check)
@@ -136,6 +161,7 @@ void TestFilledBoxes(Check& check)
         const TetrahedraVolume volume = MeasureTetrahedra(slice->GetOutput());
         check.Near(static_cast<double>(volume.Sum), 3.0, 1e-12, "volume");
         check.Equal(volume.Inverted, 0, "inverted tetrahedra");
+        check.Near(MeasureBoundary(slice->GetOutput()), 14.0, 1e-12, "area of the boundary");
         double bounds[6];
         slice->GetOutput()->GetBounds(bounds);
         check.Near(bounds[2 * axis + 1], 3.0, 1e-12, "time is the coordinate of the axis");
