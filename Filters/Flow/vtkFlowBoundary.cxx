@@ -10,11 +10,14 @@
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldVectors.h"
 #include "Fields/MergedDataSets.h"
+#include "Fields/NonconformingInterfaces.h"
 #include "Fields/UnstructuredFlowField.h"
 #include "Samples/OutputPiece.h"
 
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -30,6 +33,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -60,6 +64,20 @@ struct BoundaryFace
   int Direction = vtkFlowBoundary::NEITHER;
   int Region = -1;
 };
+
+/// Removes repeated points from a face with collapsed edges.
+void RemoveRepeatedPoints(BoundaryFace& face)
+{
+  int size = 0;
+  for (int i = 0; i < face.Size; ++i)
+  {
+    if (std::find(face.Points, face.Points + size, face.Points[i]) == face.Points + size)
+    {
+      face.Points[size++] = face.Points[i];
+    }
+  }
+  face.Size = size;
+}
 
 struct BoundaryRegion
 {
@@ -96,8 +114,12 @@ public:
       BoundaryFace face;
       face.Id = id;
       face.Size = this->Field.GetFacePoints(id, face.Points);
-      this->Measure(face, minimumSpeed);
-      this->Faces.push_back(face);
+      RemoveRepeatedPoints(face);
+      if (face.Size >= 3)
+      {
+        this->Measure(face, minimumSpeed);
+        this->Faces.push_back(face);
+      }
     }
   }
 
@@ -263,6 +285,65 @@ private:
   vtkIdType SkippedFaces = 0;
 };
 
+/// Returns true if all points of a cell are in a plane. Such a cell has no inside.
+bool IsFlat(vtkDataSet* data, vtkIdType cell, vtkIdList* ids)
+{
+  constexpr double tolerance = 1e-13;
+  data->GetCellPoints(cell, ids);
+  std::array<glm::dvec3, 8> edges;
+  const auto number = static_cast<int>(std::min<vtkIdType>(ids->GetNumberOfIds(), 8));
+  glm::dvec3 origin;
+  double length = 0.0;
+  for (int i = 0; i < number; ++i)
+  {
+    data->GetPoint(ids->GetId(i), glm::value_ptr(i == 0 ? origin : edges[i]));
+    edges[i] = i == 0 ? glm::dvec3(0.0) : edges[i] - origin;
+    length = std::max(length, interlume::Vectors::SafeLength(edges[i]));
+  }
+  for (int i = 1; i < number; ++i)
+  {
+    for (int j = i + 1; j < number; ++j)
+    {
+      const glm::dvec3 normal = glm::cross(edges[i] / length, edges[j] / length);
+      for (int k = j + 1; k < number; ++k)
+      {
+        if (std::abs(glm::dot(normal, edges[k] / length)) > tolerance)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/// Hides the cells that IsFlat() finds. The neighbors on both sides then share a face, since points
+/// at the same position are merged.
+void HideFlatCells(vtkDataSet* data, vtkDataSet* copy)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  if (vtkUnsignedCharArray* before = data->GetCellGhostArray())
+  {
+    ghosts->DeepCopy(before);
+  }
+  else
+  {
+    ghosts->SetNumberOfValues(data->GetNumberOfCells());
+    ghosts->FillValue(0);
+  }
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    // Blanked cells of structured grids are of type VTK_EMPTY_CELL.
+    const bool isFlat = data->GetCellType(cell) != VTK_EMPTY_CELL && IsFlat(data, cell, ids);
+    ghosts->SetValue(cell,
+      static_cast<unsigned char>(
+        ghosts->GetValue(cell) | (isFlat ? vtkDataSetAttributes::HIDDENCELL : 0)));
+  }
+  copy->GetCellData()->AddArray(ghosts);
+}
+
 /// Returns the cells of a dataset, with only the vectors, which then have a name.
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(vtkDataSet* data, vtkDataArray* vectors)
 {
@@ -272,11 +353,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(vtkDataSet* data, vtkDataArray* ve
   named->ShallowCopy(vectors);
   named->SetName(VectorsName);
   copy->GetPointData()->AddArray(named);
-  for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL })
-  {
-    copy->GetAttributes(type)->AddArray(
-      data->GetAttributes(type)->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  }
+  copy->GetPointData()->AddArray(data->GetPointGhostArray());
+  HideFlatCells(data, copy);
   return interlume::MergedDataSets::Merge({ copy });
 }
 
@@ -439,6 +517,16 @@ int vtkFlowBoundary::RequestData(
     vtkWarningMacro(<< boundary.GetNumberOfSkippedFaces()
                     << " faces count as faces without flow, because vectors are not finite or look "
                        "like fill values.");
+  }
+  const auto nonconforming = interlume::NonconformingInterfaces::Find(field);
+  if (nonconforming.Number > 0)
+  {
+    double x[3];
+    grid->GetPoint(grid->GetCell(nonconforming.FirstCell)->GetPointId(0), x);
+    vtkWarningMacro("The mesh of the field is nonconforming at "
+      << nonconforming.Number << " cell faces, the first of them in a cell at (" << x[0] << ", "
+      << x[1] << ", " << x[2] << "): the neighboring cell has no face with the same points. These "
+      << "faces count as a part of the boundary.");
   }
   if (regions.empty())
   {

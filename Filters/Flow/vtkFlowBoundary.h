@@ -21,7 +21,8 @@
  * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or vtkUnstructuredGrid of tetrahedra,
  * voxels, hexahedra, wedges and pyramids, with three-component vectors; by default the active
  * vectors. Cell vectors are averaged at the points, as in vtkImplicitFlowField. Hidden, blanked and
- * ghost cells are not part of the field. Lower-dimensional cells are ignored.
+ * ghost cells are not part of the field. Lower-dimensional cells and cells without volume are
+ * ignored.
  *
  * Output: polygons whose normals point outward, with
  * - the cell arrays `FlowDirection` (int, see Directions; the active scalars), `FlowRate` (double:
@@ -36,9 +37,9 @@
  * requests the complete input; in parallel, the first piece is the complete boundary and all others
  * are empty. The output is identical for any number of threads.
  *
- * Warnings (vtkWarningMacro): no flow through the boundary; faces that count as NEITHER because
- * vectors look like fill values (see vtkImplicitFlowField::SetMaximumError), or are NaN or
- * infinite.
+ * Warnings (vtkWarningMacro): no flow through the boundary; nonconforming faces, which are part of
+ * the boundary; faces that count as NEITHER because vectors look like fill values (see
+ * vtkImplicitFlowField::SetMaximumError), or are NaN or infinite.
  *
  * Errors (vtkErrorMacro, empty output): points without cells; missing vectors, or vectors without
  * three components; unsupported cells, including two-dimensional grids; a Region that does not

@@ -2,6 +2,7 @@
 #include "vtkInflowMapping.h"
 
 #include "Common/AbortCheck.h"
+#include "Common/ArrayCheck.h"
 #include "Common/Batches.h"
 #include "Common/Error.h"
 #include "Common/ReportValue.h"
@@ -50,13 +51,30 @@ interlume::InflowEvaluator& GetEvaluator(
   return *evaluator;
 }
 
+/// Returns the first one-component point array with a name, or null. Several arrays may have the
+/// same name.
+vtkDataArray* FindArray(vtkDataSet* data, const std::string& name)
+{
+  vtkPointData* arrays = data->GetPointData();
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    const char* found = arrays->GetArrayName(i);
+    vtkDataArray* array = arrays->GetArray(i);
+    if (found && found == name && array && array->GetNumberOfComponents() == 1)
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
 /// Returns the arrays of the samples that a mapping uses.
 std::vector<vtkDataArray*> GetVariables(const interlume::InflowFunction* function, vtkDataSet* data)
 {
   std::vector<vtkDataArray*> variables;
   for (std::size_t i = 0; function && i < function->GetArrays().size(); ++i)
   {
-    variables.push_back(data->GetPointData()->GetArray(function->GetArrays()[i].c_str()));
+    variables.push_back(FindArray(data, function->GetArrays()[i]));
   }
   return variables;
 }
@@ -254,11 +272,14 @@ interlume::Error vtkInflowMapping::Prepare()
 double vtkInflowMapping::Evaluate(
   int id, double u, double v, bool isPeriodicU, bool isPeriodicV, double time)
 {
-  if (this->Prepare())
+  // An error of another id does not matter.
+  static_cast<void>(this->Prepare());
+  const interlume::InflowFunction* function = this->Find(id);
+  if (function && !function->IsUsable())
   {
     return NotANumber;
   }
-  interlume::InflowEvaluator& evaluator = GetEvaluator(this->Evaluators, this->Find(id));
+  interlume::InflowEvaluator& evaluator = GetEvaluator(this->Evaluators, function);
   evaluator.SetSurface(id, isPeriodicU, isPeriodicV);
   evaluator.SetTime(time);
   return evaluator.Evaluate(u, v);
@@ -268,11 +289,13 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
 {
   constexpr int positions = 33;
   constexpr double tolerance = 1e-6;
-  if (!(direction == 0 ? isPeriodicU : isPeriodicV) || this->Prepare())
+  // An error of another id does not matter.
+  static_cast<void>(this->Prepare());
+  const interlume::InflowFunction* function = this->Find(id);
+  if (!(direction == 0 ? isPeriodicU : isPeriodicV) || (function && !function->IsUsable()))
   {
     return false;
   }
-  const interlume::InflowFunction* function = this->Find(id);
   interlume::InflowEvaluator evaluator(function);
   evaluator.SetSurface(id, isPeriodicU, isPeriodicV);
   const bool isOfPosition = !function || (!function->HasTime() && function->GetArrays().empty());
@@ -311,11 +334,12 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
 void vtkInflowMapping::SetLevel(interlume::InflowEvaluator& evaluator,
   const interlume::InflowFunction* function, std::size_t level) const
 {
-  evaluator.SetTime(this->Times[level]);
+  const double unknown = 0.5 * static_cast<double>(level);
+  evaluator.SetTime(this->Times ? (*this->Times)[level] : unknown);
   for (std::size_t i = 0; function && i < function->GetArrays().size(); ++i)
   {
     const auto found = this->ArrayLevels.find(function->GetArrays()[i]);
-    evaluator.SetArrayValue(i, found == this->ArrayLevels.end() ? 0.0 : found->second[level]);
+    evaluator.SetArrayValue(i, found == this->ArrayLevels.end() ? unknown : found->second[level]);
   }
 }
 
@@ -341,7 +365,7 @@ interlume::Error vtkInflowMapping::UseArrays(
   {
     return error;
   }
-  this->Times = {};
+  this->Times.reset();
   this->ArrayLevels.clear();
   const vtkIdType number = input->GetNumberOfPoints();
   for (const auto& mapping : this->Mappings)
@@ -358,7 +382,11 @@ interlume::Error vtkInflowMapping::UseArrays(
     }
     for (const std::string& name : mapping.second->GetArrays())
     {
-      vtkDataArray* array = data->GetArray(name.c_str());
+      vtkDataArray* array = FindArray(input, name);
+      if (const interlume::Error error = interlume::ArrayCheck::FindPointError(input, array, 1))
+      {
+        return interlume::ArrayCheck::MakeSentence(error);
+      }
       this->ArrayLevels[name] =
         GetLevels(number, arrays, [array](vtkIdType p) { return array->GetComponent(p, 0); });
     }
@@ -493,9 +521,11 @@ void vtkInflowMapping::MapFarSide(const interlume::ImplicitFlowArrays& arrays, v
     {
       // Quantities along the path have far-side values, all others are the sample's own.
       vtkDataArray* farSide = get(variables[i]->GetName());
+      const bool isComplete = farSide && farSide->GetNumberOfComponents() == 1 &&
+        farSide->GetNumberOfTuples() == ids->GetNumberOfTuples();
       evaluator.SetArrayValue(i,
-        farSide ? farSide->GetComponent(row, 0)
-                : variables[i]->GetComponent(samples.GetPoint(row), 0));
+        isComplete ? farSide->GetComponent(row, 0)
+                   : variables[i]->GetComponent(samples.GetPoint(row), 0));
     }
     inflow->SetValue(row,
       id < 0

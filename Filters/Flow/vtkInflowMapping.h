@@ -11,6 +11,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -76,8 +77,8 @@ public:
   /**
    * Set or get the mapping of an id, or of ALL. A mapping is one of:
    * - a formula of u, v, f (the id as a number), t (AdvectionTime) and one-component point arrays
-   *   of the input, by name, in the language of vtkExprTkFunctionParser. Names that are not words
-   *   must be in double quotes. Null removes the mapping;
+   *   of the input, by name, in the language of vtkExprTkFunctionParser. Names that are not words,
+   *   or that are words of this language, must be in double quotes. Null removes the mapping;
    * - Gaussian rings: the sum of amplitude exp(-((r - radius) / width)^2), where r is the distance
    *   from (centerU, centerV) in parameter space, measured the short way around in periodic
    *   directions. AddRing adds to the rings of the id;
@@ -158,10 +159,10 @@ private:
   std::map<int, std::shared_ptr<interlume::InflowFunction>> Mappings;
   std::string PreparedError;
   vtkMTimeType PreparedTime = 0;
-  // Names of the last input's arrays, and the smallest, middle and largest values of AdvectionTime
-  // and of the arrays in formulas.
+  // Names of the last input's arrays, and the smallest, middle and largest values of AdvectionTime,
+  // if a formula contained t, and of the arrays in formulas.
   std::set<std::string> ArrayNames;
-  std::array<double, 3> Times{};
+  std::optional<std::array<double, 3>> Times;
   std::map<std::string, std::array<double, 3>> ArrayLevels;
   // Evaluators used by Evaluate.
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>

@@ -34,7 +34,8 @@ def update(proxy):
 
 
 def scalars_of(proxy, port=0):
-    scalars = fetch(proxy, port=port).GetPointData().GetScalars()
+    data = fetch(proxy, port=port)
+    scalars = data.GetPointData().GetScalars() or data.GetCellData().GetScalars()
     return scalars.GetName() if scalars else None
 
 

@@ -11,9 +11,9 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
-#include <regex>
 
 namespace interlume
 {
@@ -34,9 +34,66 @@ enum Variables
 
 // Name of the variable that replaces array \a i. Names of arrays may contain spaces or be keywords
 // of the parser.
+// The last character is a letter, so that a number that follows does not select another array.
 std::string GetVariable(std::size_t i)
 {
-  return "interlume_array_" + std::to_string(i);
+  return "interlume_array_" + std::to_string(i) + "_x";
+}
+
+bool IsLetter(char c)
+{
+  return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+}
+
+// Returns the end of the word, number or quoted text that starts at \a begin, or of any other
+// character. A quote without a partner is a character.
+std::size_t FindWordEnd(const std::string& text, std::size_t begin)
+{
+  const auto isDigit = [&text](std::size_t i)
+  { return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])); };
+  std::size_t end = begin + 1;
+  if (text[begin] == '"')
+  {
+    const std::size_t partner = text.find('"', end);
+    return partner == std::string::npos ? end : partner + 1;
+  }
+  if (IsLetter(text[begin]))
+  {
+    while (end < text.size() && (IsLetter(text[end]) || isDigit(end)))
+    {
+      ++end;
+    }
+  }
+  else if (isDigit(begin) || text[begin] == '.')
+  {
+    while (isDigit(end) || (end < text.size() && text[end] == '.'))
+    {
+      ++end;
+    }
+    // An exponent, as in 1e-3.
+    const bool hasExponent = end < text.size() && (text[end] == 'e' || text[end] == 'E');
+    const std::size_t digits =
+      end + 1 + (end + 1 < text.size() && (text[end + 1] == '-' || text[end + 1] == '+') ? 1 : 0);
+    if (hasExponent && isDigit(digits))
+    {
+      end = digits;
+      while (isDigit(end))
+      {
+        ++end;
+      }
+    }
+  }
+  return end;
+}
+
+// Returns true if a name is a function or a keyword of the parser.
+bool IsReserved(const std::string& name)
+{
+  vtkNew<vtkExprTkFunctionParser> parser;
+  vtkNew<vtkCallbackCommand> ignore;
+  parser->AddObserver(vtkCommand::ErrorEvent, ignore);
+  parser->SetScalarVariableValue(name, 0.0);
+  return parser->GetNumberOfScalarVariables() == 0;
 }
 
 // Stores the first error message of a parser, without the source location that VTK prepends.
@@ -78,56 +135,80 @@ Error InflowFunction::Prepare(const std::set<std::string>& arrays)
   {
     case vtkInflowKind::FORMULA:
       error = this->ReplaceArrays(arrays);
-      return error ? error : this->CheckFormula();
+      error = error ? error : this->CheckFormula();
+      break;
     case vtkInflowKind::IMAGE:
-      return this->ReadImage();
+      error = this->ReadImage();
+      break;
     default:
-      return {};
+      break;
   }
+  this->CanBeUsed = !error;
+  return error;
 }
 
 Error InflowFunction::ReplaceArrays(const std::set<std::string>& arrays)
 {
+  static const std::set<std::string> parameters = { "u", "v", "f", "t" };
   this->Expression.clear();
   this->ContainsTime = false;
   this->Arrays.clear();
-  // A quoted name, a number, or a name. Numbers may contain letters, as in 1e3.
-  static const std::regex words("\"([^\"]*)\"|[0-9.]+(?:[eE][-+]?[0-9]+)?|[A-Za-z_][A-Za-z0-9_]*");
-  static const std::set<char> parameters = { 'u', 'v', 'f', 't' };
   const std::string& text = this->Formula;
-  std::string::const_iterator at = text.begin();
-  for (std::sregex_iterator word(text.begin(), text.end(), words), end; word != end; ++word)
+  std::size_t at = 0;
+  while (at < text.size())
   {
-    const bool isQuoted = (*word)[1].matched;
-    const std::string name = (*word)[isQuoted ? 1 : 0].str();
-    this->Expression.append(at, (*word)[0].first);
-    at = (*word)[0].second;
-    const bool isParameter = !isQuoted && name.size() == 1 && parameters.count(name[0]) > 0;
-    if (isParameter || arrays.count(name) == 0)
+    const std::size_t end = FindWordEnd(text, at);
+    const bool isQuoted = text[at] == '"' && end > at + 1;
+    const std::string word = text.substr(at, end - at);
+    const std::string name = isQuoted ? word.substr(1, word.size() - 2) : word;
+    at = end;
+    if (isQuoted && arrays.count(name) == 0)
     {
-      if (isQuoted)
-      {
-        return "The formula \"" + text + "\" contains \"" + name +
-          "\", but the input has no point array with this name and one component.";
-      }
-      this->ContainsTime = this->ContainsTime || name == "t";
-      this->Expression += name;
-      continue;
+      return "The formula \"" + text + "\" contains \"" + name +
+        "\", but the input has no point array with this name and one component.";
     }
-    const auto found = std::find(this->Arrays.begin(), this->Arrays.end(), name);
-    this->Expression += GetVariable(static_cast<std::size_t>(found - this->Arrays.begin()));
-    if (found == this->Arrays.end())
+    const bool isArray =
+      isQuoted || (arrays.count(name) > 0 && parameters.count(name) == 0 && !IsReserved(name));
+    if (isArray)
     {
-      this->Arrays.push_back(name);
+      this->UseArray(name);
+    }
+    else
+    {
+      this->ContainsTime = this->ContainsTime || name == "t";
+      this->Expression += word;
     }
   }
-  this->Expression.append(at, text.end());
   return {};
+}
+
+void InflowFunction::UseArray(const std::string& name)
+{
+  const auto found = std::find(this->Arrays.begin(), this->Arrays.end(), name);
+  this->Expression += GetVariable(static_cast<std::size_t>(found - this->Arrays.begin()));
+  if (found == this->Arrays.end())
+  {
+    this->Arrays.push_back(name);
+  }
+}
+
+std::string InflowFunction::RestoreNames(std::string text) const
+{
+  for (std::size_t i = 0; i < this->Arrays.size(); ++i)
+  {
+    const std::string variable = GetVariable(i);
+    for (std::size_t at = text.find(variable); at != std::string::npos; at = text.find(variable))
+    {
+      text.replace(at, variable.size(), "\"" + this->Arrays[i] + "\"");
+    }
+  }
+  return text;
 }
 
 Error InflowFunction::CheckFormula() const
 {
-  if (this->Formula.empty())
+  if (std::all_of(this->Formula.begin(), this->Formula.end(),
+        [](unsigned char c) { return std::isspace(c) != 0; }))
   {
     return "The formula is empty. Call SetFormula.";
   }
@@ -141,7 +222,7 @@ Error InflowFunction::CheckFormula() const
   const std::string start = "The formula \"" + this->Formula + "\" ";
   if (error)
   {
-    return error.Within(start + "cannot be read: ");
+    return start + "cannot be read: " + this->RestoreNames(error.GetMessage());
   }
   return isScalar ? Error() : start + "is a vector. Use a scalar formula.";
 }

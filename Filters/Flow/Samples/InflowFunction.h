@@ -44,6 +44,8 @@ public:
   /// use. Returns an error if the function cannot be used.
   Error Prepare(const std::set<std::string>& arrays);
 
+  /// Returns true unless the last call of Prepare returned an error.
+  bool IsUsable() const { return this->CanBeUsed; }
   /// Returns true if the formula contains t.
   bool HasTime() const { return this->ContainsTime; }
   /// Returns the names of the arrays in the formula.
@@ -52,6 +54,9 @@ public:
 private:
   /// Replaces the names of arrays in the formula, which may be quoted, by names for the parser.
   Error ReplaceArrays(const std::set<std::string>& arrays);
+  void UseArray(const std::string& name);
+  /// Replaces names for the parser in a message by the names of arrays.
+  std::string RestoreNames(std::string text) const;
   Error CheckFormula() const;
   Error ReadImage();
 
@@ -59,6 +64,7 @@ private:
   // The formula for the parser, and the arrays that its variables stand for.
   std::string Expression;
   bool ContainsTime = false;
+  bool CanBeUsed = true;
   std::vector<std::string> Arrays;
   // Values of the image, with u varying fastest.
   std::vector<double> Values;

@@ -17,7 +17,9 @@
 #include "vtkInterlumeReport.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationMesh.h"
 #include "vtkTerminationPlane.h"
@@ -27,6 +29,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -308,6 +311,76 @@ void TestOdd(Check& check)
   }
 }
 
+/// Cells without volume, at the boundary and inside, and collapsed faces.
+void TestDegenerate(Check& check)
+{
+  for (const std::vector<double>& positions : std::vector<std::vector<double>>{
+         { 0.0, 1.0, 1.0 }, { 0.0, 1.0, 1.0, 2.0 }, { 0.0, 0.0, 2.0 } })
+  {
+    vtkNew<vtkRectilinearGrid> grid;
+    vtkNew<vtkDoubleArray> x;
+    for (const double position : positions)
+    {
+      x->InsertNextValue(position);
+    }
+    vtkNew<vtkDoubleArray> others;
+    others->InsertNextValue(0.0);
+    others->InsertNextValue(2.0);
+    grid->SetDimensions(static_cast<int>(positions.size()), 2, 2);
+    grid->SetXCoordinates(x);
+    grid->SetYCoordinates(others);
+    grid->SetZCoordinates(others);
+    AddVectors(grid, [](const Vector&) -> Vector { return { { 1.0, 0.0, 0.0 } }; });
+    vtkNew<vtkFlowBoundary> filter;
+    filter->SetInputData(grid);
+    check.That(UpdateAndGetErrors(filter).empty(), "no messages");
+    check.That(GetRates(filter) == std::vector<double>({ -4.0, 4.0 }), "rates with a flat cell");
+  }
+  // A hexahedron with an edge that is collapsed to a point, as at the pole of a sphere.
+  vtkNew<vtkUnstructuredGrid> wedge;
+  vtkNew<vtkPoints> points;
+  for (const auto& position : { std::array<double, 3>{ { 0, 0, 0 } }, { { 1, 0, 0 } },
+         { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 0, 1, 1 } } })
+  {
+    points->InsertNextPoint(position.data());
+  }
+  wedge->SetPoints(points);
+  const vtkIdType corners[8] = { 0, 1, 2, 2, 3, 4, 5, 5 };
+  wedge->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+  AddVectors(wedge, [](const Vector&) -> Vector { return { { 0.0, 0.0, 3.0 } }; });
+  vtkNew<vtkFlowBoundary> filter;
+  filter->SetInputData(wedge);
+  filter->Update();
+  check.Equal(filter->GetOutput()->GetNumberOfCells(), 5, "faces of a collapsed hexahedron");
+  check.Near(GetRates(filter)[0], -1.5, 1e-12, "inflow of a collapsed hexahedron");
+  for (vtkIdType cell = 0; cell < 5; ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    filter->GetOutput()->GetCellPoints(cell, size, ids);
+    check.Equal(static_cast<long long>(std::set<vtkIdType>(ids, ids + size).size()), size,
+      "no repeated points");
+  }
+  // A hexahedron next to tetrahedra.
+  const vtkIdType hexahedron = points->GetNumberOfPoints();
+  for (int i = 0; i < 12; ++i)
+  {
+    points->InsertNextPoint(5.0 + i / 4, (i + 1) / 2 % 2, i / 2 % 2);
+  }
+  points->Modified();
+  vtkNew<vtkUnstructuredGrid> mixed;
+  mixed->SetPoints(points);
+  const vtkIdType first[8] = { hexahedron, hexahedron + 1, hexahedron + 2, hexahedron + 3,
+    hexahedron + 4, hexahedron + 5, hexahedron + 6, hexahedron + 7 };
+  mixed->InsertNextCell(VTK_HEXAHEDRON, 8, first);
+  const vtkIdType tetrahedron[4] = { hexahedron + 4, hexahedron + 5, hexahedron + 6,
+    hexahedron + 8 };
+  mixed->InsertNextCell(VTK_TETRA, 4, tetrahedron);
+  AddVectors(mixed, [](const Vector&) -> Vector { return { { 1.0, 0.0, 0.0 } }; });
+  filter->SetInputData(mixed);
+  check.Contains(WarningsOf(filter), "nonconforming at");
+}
+
 void TestPieces(Check& check)
 {
   auto image = MakeFlowImage(6, GetLinearVector);
@@ -364,6 +437,7 @@ int TestFlowBoundary(int, char*[])
   TestSeamsAndHoles(check);
   TestTermination(check);
   TestOdd(check);
+  TestDegenerate(check);
   TestPieces(check);
   TestMessages(check);
   return check.Result();

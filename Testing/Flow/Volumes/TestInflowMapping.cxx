@@ -322,6 +322,45 @@ void CheckArrays(Check& check)
     "min(TerminationId, \"sin\")", [](const double*, double ids) { return std::min(7.0, ids); });
   check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "Evaluate without arrays");
 
+  // A function's name in quotes is the array, otherwise the function.
+  compare("sin(0*t) + \"sin\"", [](const double*, double ids) { return ids; });
+  compare("1 + \"T\" * 2 - T", [](const double*, double ids) { return 1.0 + ids; });
+  const std::string longText(200000, 'x');
+  mapping->SetFormula(vtkInflowMapping::ALL, longText.c_str());
+  check.That(!UpdateAndGetErrors(mapping).empty(), "a long word");
+  mapping->SetFormula(vtkInflowMapping::ALL, "T 3");
+  CheckError(mapping, "\"T\"3", check);
+  mapping->SetFormula(vtkInflowMapping::ALL, " \t ");
+  CheckError(mapping, "empty", check);
+  mapping->SetFormula(vtkInflowMapping::ALL, "u + \"T");
+  CheckError(mapping, "cannot be read", check);
+
+  check.SetContext("invalid arrays");
+  vtkNew<vtkIntArray> few;
+  few->SetName("few");
+  few->InsertNextValue(3);
+  samples->GetPointData()->AddArray(few);
+  mapping->SetFormula(vtkInflowMapping::ALL, "few");
+  CheckError(mapping, "\"few\" has 1 tuple", check);
+  samples->GetPointData()->RemoveArray("few");
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(samples->GetNumberOfPoints());
+  vectors->Fill(1000.0);
+  vtkNew<vtkImageData> doubled;
+  doubled->DeepCopy(samples);
+  doubled->GetPointData()->RemoveArray("T");
+  vectors->SetName("other");
+  doubled->GetPointData()->AddArray(vectors);
+  doubled->GetPointData()->AddArray(MakeIds("T", samples->GetNumberOfPoints()));
+  vectors->SetName("T");
+  mapping->SetInputData(doubled);
+  compare("T", [](const double*, double ids) { return ids; });
+  mapping->SetFormula(4, "u");
+  mapping->SetFormula(vtkInflowMapping::ALL, "\"unknown\"");
+  check.Near(mapping->Evaluate(4, 0.5, 0.0), 0.5, 1e-15, "Evaluate beside a mapping with an error");
+  mapping->RemoveMapping(4);
+
   check.SetContext("missing arrays");
   mapping->SetFormula(vtkInflowMapping::ALL, "T");
   mapping->SetInputData(MakeSamples());
@@ -435,7 +474,7 @@ void CheckErrors(Check& check)
   mapping->SetInputData(MakeSamples());
   mapping->SetFormula(4, "u + w");
   CheckError(mapping, "'w'", check);
-  check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "NaN for an invalid formula");
+  check.That(std::isnan(mapping->Evaluate(4, 0.5, 0.5)), "NaN for an invalid formula");
   mapping->SetFormula(4, "u +");
   CheckError(mapping, "formula", check);
   mapping->SetFormula(4, "u*iHat");
@@ -453,6 +492,9 @@ void CheckErrors(Check& check)
   check.That(UpdateAndGetErrors(mapping).empty(), "no error after the correction");
 
   const vtkMTimeType before = mapping->GetMTime();
+  vtkNew<vtkInflowMapping> fresh;
+  fresh->SetFormula(0, "u*t");
+  check.That(!fresh->IsContinued(0, 0, true, false), "a seam before an execution");
   check.Contains(
     CaptureErrors(mapping, [&]() { mapping->AddRing(0, 0.5, 0.5, 0.1, 0.0); }), "width 0");
   const double rings[4][4] = { { 0.5, NAN, 0.1, 1.0 }, { NAN, 0.5, 0.1, 1.0 },
