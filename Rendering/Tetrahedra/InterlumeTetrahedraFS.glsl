@@ -64,13 +64,14 @@ uniform vec3 lightColors[MAXIMUM_LIGHTS];
 uniform vec3 normalRows[3];
 #ifdef SURFACE_MATERIALS
 // Four vectors for each material: color, coefficients, specular color, and the texture's first pixel,
-// width, height and whether it is repeated. The width is 0 without a texture.
+// width, height and whether it is repeated. The width is 0 without a texture. The first pixel is the
+// number in the fourth vector plus 4096 times the number after the specular color.
 uniform samplerBuffer surfaceMaterials;
 uniform samplerBuffer surfacePixels;
 // 1 plus the number of the material that shade() uses.
 float shadedFace;
 
-vec4 sampleTexture(vec4 image, vec2 position)
+vec4 sampleTexture(float pages, vec4 image, vec2 position)
 {
   bool isRepeated = image.w > 0.0;
   vec2 size = image.yz;
@@ -79,7 +80,7 @@ vec4 sampleTexture(vec4 image, vec2 position)
   vec4 ends = vec4(first, first + 1.0);
   ends = isRepeated ? mod(ends + size.xyxy, size.xyxy) : clamp(ends, vec4(0.0), size.xyxy - 1.0);
   ivec4 pixels = ivec4(ends + 0.5);
-  int start = int(image.x);
+  int start = int(image.x) + 4096 * int(pages);
   int width = int(size.x);
   vec2 share = at - first;
   vec4 low = mix(texelFetch(surfacePixels, start + pixels.y * width + pixels.x),
@@ -107,9 +108,10 @@ vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition)
   int material = 4 * (int(shadedFace + 0.5) - 1);
   vec4 surfaceColor = texelFetch(surfaceMaterials, material);
   vec4 surfaceCoefficients = texelFetch(surfaceMaterials, material + 1);
-  vec3 specularColor = texelFetch(surfaceMaterials, material + 2).rgb;
+  vec4 third = texelFetch(surfaceMaterials, material + 2);
+  vec3 specularColor = third.rgb;
   vec4 image = texelFetch(surfaceMaterials, material + 3);
-  surfaceColor *= image.y > 0.0 ? sampleTexture(image, texturePosition) : vec4(1.0);
+  surfaceColor *= image.y > 0.0 ? sampleTexture(third.w, image, texturePosition) : vec4(1.0);
 #endif
   vec4 base = surfaceColor;
 #ifdef SURFACE_TEXTURE

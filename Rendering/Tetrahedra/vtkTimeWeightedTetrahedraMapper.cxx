@@ -70,7 +70,11 @@ Object* GetById(const std::map<int, vtkSmartPointer<Object>>& objects, int id)
 interlume::Error FindBoundaryMaterials(
   vtkTimeWeightedTetrahedraMapper* mapper, interlume::TetrahedraRenderer::Request& request)
 {
-  request.BoundarySources = { { mapper->GetBoundaryProperty(), mapper->GetBoundaryTexture() } };
+  // Without texture coordinates, textures are ignored.
+  const bool isTextured = request.Boundary && request.Boundary->GetPointData()->GetTCoords();
+  const auto use = [isTextured](vtkTexture* texture) { return isTextured ? texture : nullptr; };
+  request.BoundarySources = { { mapper->GetBoundaryProperty(),
+    use(mapper->GetBoundaryTexture()) } };
   const std::vector<int> ids = mapper->GetBoundaryIds();
   const std::string name = mapper->GetBoundaryIdArrayName();
   if (!request.Boundary || name.empty() || ids.empty())
@@ -95,7 +99,7 @@ interlume::Error FindBoundaryMaterials(
     request.BoundaryMaterials.Numbers[id] =
       static_cast<unsigned char>(request.BoundarySources.size());
     request.BoundarySources.push_back({ property ? property : mapper->GetBoundaryProperty(),
-      texture ? texture : mapper->GetBoundaryTexture() });
+      use(texture ? texture : mapper->GetBoundaryTexture()) });
   }
   return {};
 }
@@ -490,13 +494,21 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   }
   report.CopyTo(this->Report);
   this->TimeToDraw = report.Seconds;
-  // Report an error once for each state of the input and the mapper, not for every image.
-  const vtkMTimeType state = std::max(grid ? grid->GetMTime() : 0, this->GetMTime());
-  if (error && state != this->ErrorTime)
+  // Report a message once for each state of the inputs and the mapper, not for every image.
+  const vtkMTimeType state = std::max({ grid ? grid->GetMTime() : 0,
+    request.Boundary ? request.Boundary->GetMTime() : 0, this->GetMTime() });
+  if (error && state != this->MessageTime)
   {
     vtkErrorMacro(<< error);
-    this->ErrorTime = state;
   }
+  const bool isUnmatched = report.BoundaryTriangles == 0 && report.UnmatchedTriangles > 0;
+  if (isUnmatched && !request.Pieces && state != this->MessageTime)
+  {
+    vtkWarningMacro("None of the " << report.UnmatchedTriangles
+                                   << " boundary triangles is a face of a tetrahedron. Pass the "
+                                      "boundary that was extracted together with the tetrahedra.");
+  }
+  this->MessageTime = state;
 }
 
 void vtkTimeWeightedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -275,7 +275,7 @@ public:
   ///@{
   /**
    * Set/Get the texture of the boundary triangles. Its color and opacity multiply those of the
-   * property. Default none.
+   * property. Ignored if the boundary has no texture coordinates. Default none.
    */
   void SetBoundaryTexture(vtkTexture* texture);
   vtkTexture* GetBoundaryTexture() const;
@@ -433,9 +433,8 @@ private:
   std::unique_ptr<interlume::PieceExchange> Pieces;
   std::unique_ptr<interlume::PeelingDeferral> Peels;
   std::unique_ptr<interlume::TetrahedraRenderer> Renderer;
-  /// The later of the modification times of the input and the mapper when the last error was
-  /// reported.
-  vtkMTimeType ErrorTime = 0;
+  /// The latest modification time of inputs and mapper at the last image.
+  vtkMTimeType MessageTime = 0;
 };
 
 #endif

@@ -12,6 +12,7 @@
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -19,7 +20,9 @@
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -27,6 +30,8 @@
 #include "vtkProperty.h"
 #include "vtkTexture.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -36,6 +41,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -48,6 +54,7 @@ using Mapper = vtkTimeWeightedTetrahedraMapper;
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 FaceOn = { { 0.0, 0.0, 1.0 } };
 constexpr Point3 FaceColor = { { 0.2, 0.6, 0.9 } };
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<int, 2> Size = { { 96, 80 } };
 
 /// Returns all distinct faces of tetrahedra whose three points are on the same plane. \a planeOf
@@ -692,6 +699,121 @@ void TestMaterialChanges(Check& check, int path)
   compare(without, "all ids removed");
 }
 
+/// Tests that materials remain on tetrahedra that a plane or the near plane cuts.
+void TestCutMaterials(Check& check, int path)
+{
+  auto grid = MakeLayers(4, { 0.0, 0.25, 0.5, 0.75, 1.0 });
+  const ImageCase what =
+    MakeCase(grid, MakeProperty({ { 0.0, { { 0.9, 0.5, 0.1 } }, 0.8 } }), Slanted, false, Size);
+  auto planes = MakePlanes(grid);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.47, 0.0, 0.0);
+  plane->SetNormal(1.0, 0.3, 0.2);
+  for (const bool isNear : { false, true })
+  {
+    const std::string name =
+      GetPathName(path) + (isNear ? ", cut by the near plane" : ", cut by a plane");
+    const double distance = what.Camera->GetDistance();
+    what.Camera->SetClippingRange(isNear ? distance : 0.01 * distance, 4.0 * distance);
+    RgbaImage images[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      Surface surface(path, planes, 0.4);
+      if (!isNear)
+      {
+        surface.Drawer->AddClippingPlane(plane);
+      }
+      surface.Drawer->SetBoundaryIdArrayName("surface");
+      vtkNew<vtkProperty> property;
+      MakeFlat(property, i == 1 ? FaceColor : Point3{ { 1.0, 0.0, 0.0 } }, 0.4);
+      for (const int id : { 7, -3, 99 })
+      {
+        surface.Drawer->SetBoundaryProperty(id, i > 0 ? property.Get() : nullptr);
+      }
+      images[i] = DrawByMapper(surface.Drawer, what);
+    }
+    check.Near(CompareImages(images[1], images[0]).Max, 0.0, 1e-6, name, 1.0);
+    check.That(CompareImages(images[2], images[0]).Max > 0.1, name + ": materials are visible");
+  }
+}
+
+/// Tests textures without coordinates, with a changed lookup table and with too few pixels,
+/// coordinates that are not finite, triangles with different orientations, and triangles that are
+/// not faces.
+void TestOddBoundaries(Check& check, int path)
+{
+  auto grid = MakeLayers(4, { 0.0, 0.5, 1.0 });
+  const ImageCase what =
+    MakeCase(grid, MakeProperty({ { 0.0, { { 0.9, 0.5, 0.1 } }, 0.3 } }), Slanted, false, Size);
+  auto midplane = MakeMidplane(grid);
+  const std::string name = GetPathName(path);
+  Surface plain(path, midplane, 0.6);
+  const RgbaImage untextured = DrawByMapper(plain.Drawer, what);
+  vtkNew<vtkPolyData> mapped;
+  mapped->DeepCopy(midplane);
+  auto texture = MakeTexture(mapped);
+  plain.Drawer->SetBoundaryTexture(texture);
+  check.Near(CompareImages(DrawByMapper(plain.Drawer, what), untextured).Max, 0.0, 1e-6,
+    name + ", a texture without coordinates", 1.0);
+  Surface textured(path, mapped, 0.6);
+  textured.Drawer->SetBoundaryTexture(texture);
+  vtkNew<vtkLookupTable> table;
+  table->SetTableRange(0.0, 1.0);
+  vtkNew<vtkImageData> values;
+  values->SetDimensions(2, 2, 1);
+  values->AllocateScalars(VTK_FLOAT, 1);
+  values->GetPointData()->GetScalars()->Fill(0.5);
+  texture->SetInputData(values);
+  texture->SetLookupTable(table);
+  const RgbaImage before = DrawByMapper(textured.Drawer, what);
+  table->SetHueRange(0.1, 0.2);
+  table->Build();
+  check.That(CompareImages(DrawByMapper(textured.Drawer, what), before).Max > 0.1,
+    name + ", a changed lookup table");
+  mapped->GetPointData()->GetTCoords()->SetTuple2(7, NaN, 1e30);
+  mapped->GetPointData()->GetTCoords()->Modified();
+  texture->RepeatOn();
+  check.That(LargestAlpha(DrawByMapper(textured.Drawer, what)) > 0.5,
+    name + ", coordinates that are not finite");
+  values->GetPointData()->GetScalars()->SetNumberOfTuples(1);
+  values->Modified();
+  check.Near(CompareImages(DrawByMapper(textured.Drawer, what), untextured).Max, 0.0, 1e-6,
+    name + ", too few pixels", 1.0);
+
+  vtkNew<vtkPolyData> mixed;
+  mixed->DeepCopy(midplane);
+  for (vtkIdType cell = 0; cell < mixed->GetNumberOfCells(); cell += 2)
+  {
+    mixed->ReverseCell(cell);
+  }
+  RgbaImage lit[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    Surface surface(path, i == 0 ? midplane.Get() : mixed.Get(), 0.6);
+    surface.Property->SetAmbient(0.1);
+    surface.Property->SetDiffuse(0.9);
+    lit[i] = DrawByMapper(surface.Drawer, what);
+  }
+  check.Near(CompareImages(lit[1], lit[0]).Max, 0.0, 1e-5, name + ", mixed orientations", 1.0);
+
+  vtkNew<vtkTransformPolyDataFilter> move;
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.1, 0.0, 0.0);
+  move->SetTransform(transform);
+  move->SetInputData(midplane);
+  move->Update();
+  Surface moved(path, move->GetOutput(), 0.6);
+  int warnings = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&warnings);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  moved.Drawer->AddObserver(vtkCommand::WarningEvent, count);
+  DrawByMapper(moved.Drawer, what);
+  DrawByMapper(moved.Drawer, what);
+  check.Equal(warnings, 1, name + ", one warning if no triangle is a face");
+}
+
 /// Tests that blend modes that do not support boundary triangles ignore them.
 void TestOtherModes(Check& check, int path)
 {
@@ -732,6 +854,8 @@ int TestTetrahedraMapperSurface(int, char*[])
       TestMaterials(check, path, parallel, { { 0.2, 0.1, -1.0 } });
     }
     TestMaterialChanges(check, path);
+    TestCutMaterials(check, path);
+    TestOddBoundaries(check, path);
     TestBothSides(check, path);
     TestUnmatched(check, path);
     TestChanges(check, path);

@@ -8,12 +8,14 @@
 #include "vtkLightCollection.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace interlume
 {
@@ -31,6 +33,7 @@ glm::dvec3 Normalized(const glm::dvec3& v)
 void BoundaryShading::Set(
   vtkRenderer* renderer, const TetrahedraView& view, const std::vector<Source>& materials)
 {
+  const std::vector<int> images = this->SetImages(materials);
   this->Materials.resize(materials.size());
   for (std::size_t i = 0; i < materials.size(); ++i)
   {
@@ -47,7 +50,7 @@ void BoundaryShading::Set(
       static_cast<float>(isLit ? property->GetDiffuse() : 0.0),
       static_cast<float>(isLit ? property->GetSpecular() : 0.0),
       static_cast<float>(property->GetSpecularPower()) } };
-    material.Texture.Set(materials[i].Texture);
+    material.Texture = images[i];
   }
   this->SetLights(renderer, view);
 
@@ -65,6 +68,33 @@ void BoundaryShading::Set(
         static_cast<float>(m[4 * i1 + j1] * m[4 * i2 + j2] - m[4 * i1 + j2] * m[4 * i2 + j1]);
     }
   }
+}
+
+std::vector<int> BoundaryShading::SetImages(const std::vector<Source>& materials)
+{
+  std::map<vtkTexture*, int> known;
+  std::vector<int> indices;
+  std::vector<vtkTexture*> textures;
+  for (const Source& material : materials)
+  {
+    const auto entry = known.emplace(material.Texture, static_cast<int>(textures.size()));
+    if (entry.second && material.Texture)
+    {
+      textures.push_back(material.Texture);
+    }
+    indices.push_back(material.Texture ? entry.first->second : -1);
+  }
+  this->Images.resize(textures.size());
+  for (std::size_t i = 0; i < textures.size(); ++i)
+  {
+    this->Images[i].Set(textures[i]);
+  }
+  for (int& index : indices)
+  {
+    const bool isEmpty = index >= 0 && this->Images[static_cast<std::size_t>(index)].IsEmpty();
+    index = isEmpty ? -1 : index;
+  }
+  return indices;
 }
 
 void BoundaryShading::SetLights(vtkRenderer* renderer, const TetrahedraView& view)
@@ -103,20 +133,28 @@ void BoundaryShading::Image::Set(vtkTexture* texture)
   }
   vtkImageData* input = texture ? texture->GetInput() : nullptr;
   vtkDataArray* scalars = input ? input->GetPointData()->GetScalars() : nullptr;
-  if (!scalars)
+  int dimensions[3] = { 0, 0, 0 };
+  if (input)
+  {
+    input->GetDimensions(dimensions);
+  }
+  const vtkIdType size = static_cast<vtkIdType>(dimensions[0]) * dimensions[1];
+  if (!scalars || scalars->GetNumberOfTuples() < size)
   {
     *this = Image();
     return;
   }
   this->Repeated = texture->GetRepeat() != 0;
-  const vtkMTimeType time = std::max(input->GetMTime(), texture->GetMTime());
+  vtkMTimeType time = std::max(input->GetMTime(), texture->GetMTime());
+  if (texture->GetLookupTable())
+  {
+    time = std::max(time, texture->GetLookupTable()->GetMTime());
+  }
   if (time == this->Time)
   {
     return;
   }
   this->Time = time;
-  int dimensions[3];
-  input->GetDimensions(dimensions);
   this->Width = dimensions[0];
   this->Height = dimensions[1];
   const bool isColor =
@@ -152,6 +190,7 @@ BoundaryShading::Color BoundaryShading::Image::Sample(double u, double v) const
   // Bilinear interpolation between texel centers.
   const auto position = [this](double t, int size, int ends[2])
   {
+    t = std::isfinite(t) ? t : 0.0;
     t = this->Repeated ? t - std::floor(t) : std::max(0.0, std::min(t, 1.0));
     const double coordinate = t * size - 0.5;
     const double first = std::floor(coordinate);
@@ -182,9 +221,10 @@ BoundaryShading::Color BoundaryShading::Shade(const Material& material, const gl
   const glm::dvec3& normal, const std::array<double, 2>& textureCoordinates) const
 {
   Color base = material.Base;
-  if (!material.Texture.IsEmpty())
+  if (material.Texture >= 0)
   {
-    const Color texel = material.Texture.Sample(textureCoordinates[0], textureCoordinates[1]);
+    const Color texel = this->Images[static_cast<std::size_t>(material.Texture)].Sample(
+      textureCoordinates[0], textureCoordinates[1]);
     for (int c = 0; c < 4; ++c)
     {
       base[c] *= texel[c];
@@ -244,19 +284,12 @@ float BoundaryShading::GetLargestOpacity() const
   return largest;
 }
 
-bool BoundaryShading::HasSameImages(const BoundaryShading& other) const
-{
-  return std::equal(this->Materials.begin(), this->Materials.end(), other.Materials.begin(),
-    other.Materials.end(),
-    [](const Material& a, const Material& b) { return a.Texture == b.Texture; });
-}
-
 bool BoundaryShading::operator==(const BoundaryShading& other) const
 {
   const auto isSame = [](const Light& a, const Light& b)
   { return a.Position == b.Position && a.IsPositional == b.IsPositional && a.Color == b.Color; };
-  return this->Materials == other.Materials && this->NormalMatrix == other.NormalMatrix &&
-    this->Lights.size() == other.Lights.size() &&
+  return this->Materials == other.Materials && this->Images == other.Images &&
+    this->NormalMatrix == other.NormalMatrix && this->Lights.size() == other.Lights.size() &&
     std::equal(this->Lights.begin(), this->Lights.end(), other.Lights.begin(), isSame);
 }
 

@@ -72,7 +72,8 @@ public:
     /// Ambient, diffuse and specular coefficients, and specular power.
     Color Coefficients{};
     std::array<float, 3> SpecularColor{};
-    Image Texture;
+    /// Index of the texture's image; -1 without a texture.
+    int Texture = -1;
 
     bool operator==(const Material& other) const
     {
@@ -102,19 +103,30 @@ public:
 
   const std::vector<Light>& GetLights() const { return this->Lights; }
   const std::vector<Material>& GetMaterials() const { return this->Materials; }
+  /// Returns the images of the materials, without repetition.
+  const std::vector<Image>& GetImages() const { return this->Images; }
+  /// Returns the image of the first material, or null.
+  const Image* GetFirstImage() const
+  {
+    const int texture = this->Materials.front().Texture;
+    return texture < 0 ? nullptr : &this->Images[static_cast<std::size_t>(texture)];
+  }
   /// Returns the largest opacity of all materials.
   float GetLargestOpacity() const;
   /// Returns the 3 x 3 matrix from mesh to eye coordinates for normals, in row-major order.
   const std::array<float, 9>& GetNormalMatrix() const { return this->NormalMatrix; }
 
-  bool HasSameImages(const BoundaryShading& other) const;
+  bool HasSameImages(const BoundaryShading& other) const { return this->Images == other.Images; }
   bool operator==(const BoundaryShading& other) const;
 
 private:
   void SetLights(vtkRenderer* renderer, const TetrahedraView& view);
+  /// Sets the images and returns their indices for the materials.
+  std::vector<int> SetImages(const std::vector<Source>& materials);
 
   std::vector<Light> Lights;
   std::vector<Material> Materials;
+  std::vector<Image> Images;
   std::array<float, 9> NormalMatrix{};
 };
 

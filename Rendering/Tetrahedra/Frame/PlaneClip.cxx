@@ -272,6 +272,7 @@ void PlaneClip::AppendPart(
   {
     // A face of the part lies in original face k if none of its corners depends on corner k.
     unsigned int faces = 0;
+    std::array<unsigned char, 4> materials{ { 0, 0, 0, 0 } };
     for (int face = 0; face < 4; ++face)
     {
       unsigned int support = 0;
@@ -279,9 +280,19 @@ void PlaneClip::AppendPart(
       {
         support |= k == face ? 0u : part[k].Support;
       }
-      faces |= (fields.Faces[tetrahedron] & ~support & 15u) ? 1u << face : 0u;
+      const unsigned int original = fields.Faces[tetrahedron] & ~support & 15u;
+      faces |= original ? 1u << face : 0u;
+      for (int k = 0; k < 4 && !fields.FaceMaterials.empty(); ++k)
+      {
+        materials[face] =
+          (original >> k) & 1u ? fields.FaceMaterials[tetrahedron][k] : materials[face];
+      }
     }
     fields.Faces.push_back(static_cast<unsigned char>(faces));
+    if (!fields.FaceMaterials.empty())
+    {
+      fields.FaceMaterials.push_back(materials);
+    }
   }
 }
 
@@ -340,6 +351,7 @@ void PlaneClip::Remove(TetrahedraMesh& mesh, TetrahedraFields& fields)
   shorten(mesh.Cells, this->Tetrahedra);
   shorten(fields.Layers, this->Tetrahedra);
   shorten(fields.Faces, this->Tetrahedra);
+  shorten(fields.FaceMaterials, this->Tetrahedra);
   shorten(fields.Normals, this->Points);
   shorten(fields.TextureCoordinates, this->Points);
   shorten(fields.Scalars, this->Points);

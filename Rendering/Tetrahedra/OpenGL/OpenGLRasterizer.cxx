@@ -72,22 +72,33 @@ bool HasMaterials(const TetrahedraFrame& frame)
   return frame.Surface && !frame.Fields->FaceMaterials.empty();
 }
 
-/// Returns four vectors for each material: color, coefficients, specular color, and the texture's
-/// first pixel in MakePixels(), width (0 without a texture), height, and 1 if it is repeated.
+/// Returns four vectors for each material: color, coefficients, specular color and high part of the
+/// texture's first pixel in MakePixels(), and low part of this pixel, width (0 without a texture),
+/// height, and 1 if it is repeated. The high part counts 4096 pixels, since floats have 24 bits.
 std::vector<float> MakeMaterials(const BoundaryShading& shading)
 {
+  std::vector<std::size_t> firsts = { 0 };
+  for (const BoundaryShading::Image& image : shading.GetImages())
+  {
+    firsts.push_back(firsts.back() + image.GetPixels().size());
+  }
   std::vector<float> values;
-  std::size_t first = 0;
   for (const BoundaryShading::Material& material : shading.GetMaterials())
   {
     values.insert(values.end(), material.Base.begin(), material.Base.end());
     values.insert(values.end(), material.Coefficients.begin(), material.Coefficients.end());
     values.insert(values.end(), material.SpecularColor.begin(), material.SpecularColor.end());
-    const BoundaryShading::Image& image = material.Texture;
+    if (material.Texture < 0)
+    {
+      values.insert(values.end(), 5, 0.0f);
+      continue;
+    }
+    const auto texture = static_cast<std::size_t>(material.Texture);
+    const BoundaryShading::Image& image = shading.GetImages()[texture];
     values.insert(values.end(),
-      { 0.0f, static_cast<float>(first), static_cast<float>(image.IsEmpty() ? 0 : image.GetWidth()),
-        static_cast<float>(image.GetHeight()), image.IsRepeated() ? 1.0f : 0.0f });
-    first += image.GetPixels().size();
+      { static_cast<float>(firsts[texture] / 4096), static_cast<float>(firsts[texture] % 4096),
+        static_cast<float>(image.GetWidth()), static_cast<float>(image.GetHeight()),
+        image.IsRepeated() ? 1.0f : 0.0f });
   }
   return values;
 }
@@ -96,10 +107,9 @@ std::vector<float> MakeMaterials(const BoundaryShading& shading)
 std::vector<BoundaryShading::Color> MakePixels(const BoundaryShading& shading)
 {
   std::vector<BoundaryShading::Color> pixels;
-  for (const BoundaryShading::Material& material : shading.GetMaterials())
+  for (const BoundaryShading::Image& image : shading.GetImages())
   {
-    const std::vector<BoundaryShading::Color>& from = material.Texture.GetPixels();
-    pixels.insert(pixels.end(), from.begin(), from.end());
+    pixels.insert(pixels.end(), image.GetPixels().begin(), image.GetPixels().end());
   }
   pixels.emplace_back();
   return pixels;
@@ -162,9 +172,9 @@ std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool has
   features += frame.IsExact ? " EXACT" : "";
   if (frame.Surface)
   {
-    features += HasMaterials(frame)                             ? " SURFACE SURFACE_MATERIALS"
-      : frame.Surface->GetMaterials().front().Texture.IsEmpty() ? " SURFACE"
-                                                                : " SURFACE SURFACE_TEXTURE";
+    features += HasMaterials(frame)    ? " SURFACE SURFACE_MATERIALS"
+      : frame.Surface->GetFirstImage() ? " SURFACE SURFACE_TEXTURE"
+                                       : " SURFACE";
   }
   features += frame.Order ? " ORDERED" : "";
   if (frame.Blend == TetrahedraFrame::MAXIMUM)
@@ -281,20 +291,19 @@ vtkIdType OpenGLRasterizer::UploadSurface(
     return bytes +
       this->Upload(window, "surfacePixels", TextureBuffer::FLOAT4, MakePixels(*frame.Surface));
   }
-  const BoundaryShading::Image& image = frame.Surface->GetMaterials().front().Texture;
-  if (!image.IsEmpty())
+  if (const BoundaryShading::Image* image = frame.Surface->GetFirstImage())
   {
     vtkTextureObject* texture = this->SurfaceTexture;
     texture->SetContext(window);
-    const int wrap = image.IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
+    const int wrap = image->IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
     texture->SetMinificationFilter(vtkTextureObject::Linear);
     texture->SetMagnificationFilter(vtkTextureObject::Linear);
     texture->SetWrapS(wrap);
     texture->SetWrapT(wrap);
-    texture->Create2DFromRaw(static_cast<unsigned int>(image.GetWidth()),
-      static_cast<unsigned int>(image.GetHeight()), 4, VTK_FLOAT,
-      const_cast<float*>(image.GetPixels()[0].data()));
-    bytes += static_cast<vtkIdType>(image.GetPixels().size() * sizeof(BoundaryShading::Color));
+    texture->Create2DFromRaw(static_cast<unsigned int>(image->GetWidth()),
+      static_cast<unsigned int>(image->GetHeight()), 4, VTK_FLOAT,
+      const_cast<float*>(image->GetPixels()[0].data()));
+    bytes += static_cast<vtkIdType>(image->GetPixels().size() * sizeof(BoundaryShading::Color));
   }
   return bytes;
 }
@@ -324,7 +333,7 @@ void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const Tetra
   program->SetUniform4f("surfaceColor", material.Base.data());
   program->SetUniform4f("surfaceCoefficients", material.Coefficients.data());
   program->SetUniform3f("specularColor", material.SpecularColor.data());
-  if (!material.Texture.IsEmpty())
+  if (shading.GetFirstImage())
   {
     program->SetUniformi("surfaceTexture", this->SurfaceTexture->GetTextureUnit());
   }
@@ -519,8 +528,7 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
     return false;
   }
   this->ActivateBuffers(program);
-  const bool hasTexture = frame.Surface && !HasMaterials(frame) &&
-    !frame.Surface->GetMaterials().front().Texture.IsEmpty();
+  const bool hasTexture = frame.Surface && !HasMaterials(frame) && frame.Surface->GetFirstImage();
   if (hasTexture)
   {
     this->SurfaceTexture->Activate();

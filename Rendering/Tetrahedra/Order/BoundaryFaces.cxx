@@ -108,7 +108,7 @@ std::vector<bool> FindUsedPoints(vtkDataSet* data)
 unsigned char FindMaterial(const BoundaryFaces::Materials& materials, vtkIdType cell)
 {
   const double id = materials.IsEmpty() ? 0.0 : materials.Ids->GetComponent(cell, 0);
-  if (materials.IsEmpty() || !(std::abs(id) <= VTK_INT_MAX))
+  if (materials.IsEmpty() || !(id >= VTK_INT_MIN && id <= VTK_INT_MAX))
   {
     return 0;
   }
@@ -116,16 +116,19 @@ unsigned char FindMaterial(const BoundaryFaces::Materials& materials, vtkIdType 
   return found == materials.Numbers.end() ? 0 : found->second;
 }
 
-// Adds a triangle's normal, weighted by area, to the normals of its corners.
+// Adds a triangle's normal, weighted by area, to the normals of its corners. Both sides are lit
+// alike, so that the orientation of triangles need not be consistent.
 void AddNormal(const TetrahedraMesh& mesh, const Ids& ids, TetrahedraFields& fields)
 {
   const auto point = [&](int i) { return glm::make_vec3(mesh.GetPoint(ids[i])); };
   const glm::dvec3 normal = glm::cross(point(1) - point(0), point(2) - point(0));
   for (std::uint32_t id : ids)
   {
+    std::array<float, 3>& sum = fields.Normals[id];
+    const double sign = glm::dot(glm::dvec3(sum[0], sum[1], sum[2]), normal) < 0.0 ? -1.0 : 1.0;
     for (int i = 0; i < 3; ++i)
     {
-      fields.Normals[id][i] += static_cast<float>(normal[i]);
+      sum[i] += static_cast<float>(sign * normal[i]);
     }
   }
 }
