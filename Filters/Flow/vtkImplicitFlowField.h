@@ -276,8 +276,8 @@ public:
    * arrays of the field (Mean and the array's name). Arrays are point arrays, or cell arrays if no
    * point array has the name. ComputeLocalAttributes stores the speed and the vorticity magnitude
    * at the sample, in the cell of the field that contains it (LocalSpeed, LocalVorticity). They can
-   * be too small where the cell is collapsed, such as at the pole of a spherical grid. Default: off,
-   * none.
+   * be too small where the cell is collapsed, such as at the pole of a spherical grid. Default:
+   * off, none.
    */
   vtkSetMacro(ComputeMaximumSpeed, bool);
   vtkGetMacro(ComputeMaximumSpeed, bool);

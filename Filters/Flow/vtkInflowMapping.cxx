@@ -394,27 +394,9 @@ interlume::Error vtkInflowMapping::UseArrays(
   return {};
 }
 
-int vtkInflowMapping::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+bool vtkInflowMapping::MapSamples(
+  const interlume::ImplicitFlowArrays& arrays, vtkDataSet* input, double* values)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
-  vtkDataSet* output = vtkDataSet::GetData(outputs);
-  // Otherwise, image data would keep the active scalars of the previous execution.
-  output->Initialize();
-  SetMappingReport(this->Report);
-  interlume::ImplicitFlowArrays arrays;
-  if (const interlume::Error error =
-        arrays.Find(input).Then([&] { return this->UseArrays(arrays, input); }))
-  {
-    vtkErrorMacro(<< error);
-    return 1;
-  }
-  const vtkIdType number = input->GetNumberOfPoints();
-  this->SetProgressText("Mapping samples to the inflow");
-  vtkNew<vtkDoubleArray> inflow;
-  inflow->SetName(vtkFlowStatus::InflowArray());
-  inflow->SetNumberOfValues(number);
-  double* values = inflow->GetPointer(0);
   vtkSMPThreadLocal<EvaluatorMap> threads;
   const auto map = [&](vtkIdType first, vtkIdType last)
   {
@@ -452,7 +434,30 @@ int vtkInflowMapping::RequestData(
       values[p] = evaluator->Evaluate(uv[0], uv[1]);
     }
   };
-  if (!interlume::Batches::Run(number, this, 0.0, 1.0, map))
+  return interlume::Batches::Run(input->GetNumberOfPoints(), this, 0.0, 1.0, map);
+}
+
+int vtkInflowMapping::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  // Otherwise, image data would keep the active scalars of the previous execution.
+  output->Initialize();
+  SetMappingReport(this->Report);
+  interlume::ImplicitFlowArrays arrays;
+  if (const interlume::Error error =
+        arrays.Find(input).Then([&] { return this->UseArrays(arrays, input); }))
+  {
+    vtkErrorMacro(<< error);
+    return 1;
+  }
+  const vtkIdType number = input->GetNumberOfPoints();
+  this->SetProgressText("Mapping samples to the inflow");
+  vtkNew<vtkDoubleArray> inflow;
+  inflow->SetName(vtkFlowStatus::InflowArray());
+  inflow->SetNumberOfValues(number);
+  if (!this->MapSamples(arrays, input, inflow->GetPointer(0)))
   {
     return interlume::AbortCheck::Leave(outputs);
   }
@@ -475,20 +480,28 @@ int vtkInflowMapping::RequestData(
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::InflowArray());
   output->GetFieldData()->AddArray(periodic);
   this->MapFarSide(arrays, output);
-  if (number > 0 &&
-    !std::any_of(values, values + number, [](double v) { return !std::isnan(v); }) &&
-    interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
+  if (interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
   {
-    vtkIdType reached = 0;
-    for (vtkIdType p = 0; p < number; ++p)
-    {
-      reached += arrays.IsReached(p) ? 1 : 0;
-    }
-    vtkWarningMacro("Inflow is NaN at all "
-      << number << " samples: " << reached << " of them reached a termination surface"
-      << (reached > 0 ? ", but the mapping has no finite value there." : "."));
+    this->WarnIfUndefined(arrays, number, inflow->GetPointer(0));
   }
   return 1;
+}
+
+void vtkInflowMapping::WarnIfUndefined(
+  const interlume::ImplicitFlowArrays& arrays, vtkIdType number, const double* values)
+{
+  if (number == 0 || std::any_of(values, values + number, [](double v) { return !std::isnan(v); }))
+  {
+    return;
+  }
+  vtkIdType reached = 0;
+  for (vtkIdType p = 0; p < number; ++p)
+  {
+    reached += arrays.IsReached(p) ? 1 : 0;
+  }
+  vtkWarningMacro("Inflow is NaN at all "
+    << number << " samples: " << reached << " of them reached a termination surface"
+    << (reached > 0 ? ", but the mapping has no finite value there." : "."));
 }
 
 void vtkInflowMapping::MapFarSide(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output)

@@ -153,6 +153,11 @@ private:
   /// Sets time and arrays to their smallest, middle or largest values.
   void SetLevel(interlume::InflowEvaluator& evaluator, const interlume::InflowFunction* function,
     std::size_t level) const;
+  /// Computes the values of all samples. Returns false if the execution was aborted.
+  bool MapSamples(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* input, double* values);
+  /// Warns if all values are NaN.
+  void WarnIfUndefined(
+    const interlume::ImplicitFlowArrays& arrays, vtkIdType number, const double* values);
   /// Adds the field array of the far-side samples' Inflow, if there are far-side samples.
   void MapFarSide(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
 

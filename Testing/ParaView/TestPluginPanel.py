@@ -40,6 +40,8 @@ DETAIL = {"InflowDetailTexture": picture}
 PULSES = {"InflowPulseLength": 0.5, "InflowTimePeriod": 2.0}
 BY_TIME = {"InflowUseOpacityArray": 1, "InflowOpacityArray": ["POINTS", "AdvectionTime"]}
 SHADED = {"InflowShade": 1, "InflowShadingArray": ["POINTS", "AdvectionTime"]}
+BOUNDARY = ("IntervalBoundary", "IntervalBoundaryColor", "IntervalBoundaryColors", "IntervalBoundaryIdArrayName",
+            "IntervalBoundaryOpacity", "IntervalBoundarySpecular", "IntervalBoundaryTexture")
 CASES = {
     "Inflow Textures": (None, {
         **TRANSFORM, "InflowPattern": ("Bands", {}), "InflowTexture": (picture, {}), "InflowSurfaceTexture": (None, {}), "InflowSurfaceId": (None, {}),
@@ -63,7 +65,8 @@ CASES = {
         "IntervalDeltaTArrayName": ("value", {}), "IntervalIntegrationMode": ("Average Color", {}),
         "IntervalRenderPath": ("OpenGL", {}), "IntervalSortMode": ("None", {}),
         "IntervalLayerArrayName": ("ones", {"IntervalBlendMode": "Priority"}),
-        "IntervalLayerPriorities": (["0", "3"], {"IntervalBlendMode": "Priority"})}),
+        "IntervalLayerPriorities": (["0", "3"], {"IntervalBlendMode": "Priority"}),
+        **{name: (None, {}) for name in BOUNDARY}}),
     "Shadowed Slices": (image, {
         **COMMON, "Ambient": (0.7, {}), "Diffuse": (0.2, {}), "Specular": (0.9, {}), "SpecularPower": (2.0, {"Specular": 1.0}),
         "ColoredShadows": (1, {}), "ImageSampleDistance": (6.0, {}), "LightBufferSize": (16, {}),
@@ -100,10 +103,10 @@ CASES = {
         "ScatteringBackwardLayers": (1, {"MultipleScattering": "Full"}),
         "ScatteringGridSize": (4, {"MultipleScattering": "Full"})})}
 # Properties that need a texture file, surfaces or several processes. TestPluginShadowedSlices,
-# TestPluginAreaLight, TestPluginInflowTextures, TestPluginSceneShadows and TestPluginPieceShadows
-# test these properties.
+# TestPluginAreaLight, TestPluginBoundary, TestPluginInflowTextures, TestPluginSceneShadows and
+# TestPluginPieceShadows test these properties.
 TESTED_IN_OTHER_SCRIPTS = {
-    "AreaLightImage", "InflowSurfaceId", "InflowSurfaceTexture", "ProjectiveLightImage", "ProjectiveLightInterpolate", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
+    *BOUNDARY, "AreaLightImage", "InflowSurfaceId", "InflowSurfaceTexture", "ProjectiveLightImage", "ProjectiveLightInterpolate", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
     "ShadowGridResolution"}
 
 

@@ -46,10 +46,11 @@ void Append(const AdvectionResult& to, double way, double before, AdvectionResul
 bool FarSideTracer::Find(const Corners& corners, std::vector<SampleResult>& sampleResults)
 {
   sampleResults.resize(corners.size());
-  const std::vector<Streamlines::Velocity> velocities =
-    this->Context.Field.GetVelocities(static_cast<vtkIdType>(corners.size()),
-      [&](vtkIdType i, double x[3])
-      { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)].Sample, x); }, false);
+  const std::vector<Streamlines::Velocity> velocities = this->Context.Field.GetVelocities(
+    static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType i, double x[3])
+    { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)].Sample, x); },
+    false);
   Rows back;
   Rows on;
   for (std::size_t row = 0; row < corners.size(); ++row)
@@ -164,10 +165,11 @@ bool FarSideTracer::TraceBeyondSurface(const Corners& corners, const Rows& rows,
   Rows hit;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(hit),
     [&](std::size_t row) { return this->ReachesSurfaceNearby(before[row], corners[row]); });
-  std::vector<Streamlines::Velocity> velocities =
-    this->Context.Field.GetVelocities(static_cast<vtkIdType>(hit.size()),
-      [&](vtkIdType i, double x[3])
-      { std::copy_n(before[hit[static_cast<std::size_t>(i)]].Position, 3, x); }, false);
+  std::vector<Streamlines::Velocity> velocities = this->Context.Field.GetVelocities(
+    static_cast<vtkIdType>(hit.size()),
+    [&](vtkIdType i, double x[3])
+    { std::copy_n(before[hit[static_cast<std::size_t>(i)]].Position, 3, x); },
+    false);
   struct Start
   {
     std::size_t Row;

@@ -192,10 +192,11 @@ void SampleIntegration::FindSides()
   this->Arrays.Side->Fill(0);
   const std::vector<vtkIdType> corners =
     this->Sides.FindCutCellCorners(this->Samples, this->Arrays.Id->GetPointer(0));
-  const std::vector<Streamlines::Velocity> velocities =
-    this->Context.Field.GetVelocities(static_cast<vtkIdType>(corners.size()),
-      [&](vtkIdType i, double x[3])
-      { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)], x); }, false);
+  const std::vector<Streamlines::Velocity> velocities = this->Context.Field.GetVelocities(
+    static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType i, double x[3])
+    { this->Samples->GetPoint(corners[static_cast<std::size_t>(i)], x); },
+    false);
   vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
     [&](vtkIdType first, vtkIdType last)
     {
