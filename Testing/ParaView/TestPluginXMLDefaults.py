@@ -20,7 +20,8 @@ STAND_INS = {
     "vtkPVImplicitFlowField": "vtkImplicitFlowField", "vtkPVInflowMapping": "vtkInflowMapping",
     "vtkPVStreamSurfaceParameters": "vtkStreamSurfaceParameters", "vtkPVTerminationBox": "vtkTerminationBox",
     "vtkPVTerminationRectangle": "vtkTerminationPlane", "vtkPVTerminationCylinder": "vtkTerminationCylinder",
-    "vtkPVTerminationTube": "vtkTerminationTube", "vtkPieceSliceMapper": "vtkShadowedSliceMapper"}
+    "vtkPVTerminationTube": "vtkTerminationTube", "vtkPieceSliceMapper": "vtkShadowedSliceMapper",
+    "vtkProperty": "vtkTimeWeightedTetrahedraMapper"}
 # Classes that are not compared: the widget, and classes whose properties belong to a compared
 # proxy.
 NOT_COMPARED = {"vtkTimeSlabWriter", "vtkAreaLightRepresentation", "vtk3DWidgetRepresentation", None}
@@ -68,8 +69,15 @@ LISTED = {
     "vtkIntervalVolumeRepresentation": {
         "IntervalDeltaTArrayName":
             lambda _: interlume.vtkTimeWeightedTetrahedraMapper().GetDeltaTArrayName() or "DeltaT"},
+    # The array of the filter of the same name.
     "vtkTimeWeightedTetrahedraMapper": {
+        "IntervalBoundaryIdArrayName": "BoundarySide",
+        "IntervalBoundaryTexture": lambda mapper: mapper.GetBoundaryTexture(),
         "IntervalLayerPriorities": lambda mapper: [] if mapper.GetLayerPriority(3) == 3.0 else None},
+    # The property of the boundary.
+    "vtkProperty": {
+        f"IntervalBoundary{name}": lambda mapper, name=name: getattr(mapper.GetBoundaryProperty(), "Get" + name)()
+        for name in ("Color", "Opacity", "Specular")},
     # The representation draws as vtkStreamSurfaceMapper, a class that it does not use.
     "vtkStreamSurfaceRepresentation": {
         "Streamlines": lambda _: interlume.vtkStreamSurfaceMapper().GetStreamlines(),
