@@ -12,6 +12,7 @@
 #include "Fields/MergedDataSets.h"
 #include "Fields/NonconformingInterfaces.h"
 #include "Fields/UnstructuredFlowField.h"
+#include "Numerics/SpeedScale.h"
 #include "Samples/OutputPiece.h"
 
 #include "vtkCell.h"
@@ -431,6 +432,35 @@ void Write(const Boundary& boundary, int region, vtkUnstructuredGrid* grid, cons
     "RegionArea", regions, [](const BoundaryRegion& one) { return one.Area; }));
 }
 
+/// Warns about faces without usable vectors and about nonconforming faces.
+void WarnOfField(vtkFlowBoundary* owner, const Boundary& boundary,
+  const interlume::UnstructuredFlowField& field, vtkUnstructuredGrid* grid, const char* vectors)
+{
+  const interlume::FillValues& fill = field.GetFillValues();
+  const vtkIdType nonFinite = field.GetNumberOfNonFiniteVectors();
+  const std::string effect =
+    std::to_string(boundary.GetNumberOfSkippedFaces()) + " faces count as faces without flow.";
+  if (boundary.GetNumberOfSkippedFaces() > 0 && fill.Number > 0)
+  {
+    vtkWarningWithObjectMacro(owner, << fill.Describe(vectors, effect));
+  }
+  if (boundary.GetNumberOfSkippedFaces() > 0 && nonFinite > 0)
+  {
+    vtkWarningWithObjectMacro(owner, << interlume::DescribeNonFinite(nonFinite, vectors, effect));
+  }
+  const auto nonconforming = interlume::NonconformingInterfaces::Find(field);
+  if (nonconforming.Number > 0)
+  {
+    double x[3];
+    grid->GetPoint(grid->GetCell(nonconforming.FirstCell)->GetPointId(0), x);
+    vtkWarningWithObjectMacro(owner,
+      "The mesh of the field is nonconforming at "
+        << nonconforming.Number << " cell faces, the first of them in a cell at (" << x[0] << ", "
+        << x[1] << ", " << x[2] << "): the neighboring cell has no face with the same points. "
+        << "These faces count as a part of the boundary.");
+  }
+}
+
 void SetBoundaryReport(vtkInterlumeReport* report, const std::vector<BoundaryRegion>& regions = {},
   vtkIdType skipped = 0, const std::vector<std::string>& converted = {})
 {
@@ -512,22 +542,7 @@ int vtkFlowBoundary::RequestData(
     return 1;
   }
   Write(boundary, this->Region, grid, vectors->GetName(), output);
-  if (boundary.GetNumberOfSkippedFaces() > 0)
-  {
-    vtkWarningMacro(<< boundary.GetNumberOfSkippedFaces()
-                    << " faces count as faces without flow, because vectors are not finite or look "
-                       "like fill values.");
-  }
-  const auto nonconforming = interlume::NonconformingInterfaces::Find(field);
-  if (nonconforming.Number > 0)
-  {
-    double x[3];
-    grid->GetPoint(grid->GetCell(nonconforming.FirstCell)->GetPointId(0), x);
-    vtkWarningMacro("The mesh of the field is nonconforming at "
-      << nonconforming.Number << " cell faces, the first of them in a cell at (" << x[0] << ", "
-      << x[1] << ", " << x[2] << "): the neighboring cell has no face with the same points. These "
-      << "faces count as a part of the boundary.");
-  }
+  WarnOfField(this, boundary, field, grid, vectors->GetName());
   if (regions.empty())
   {
     vtkWarningMacro("No flow passes through the boundary, which has "

@@ -51,32 +51,33 @@ interlume::InflowEvaluator& GetEvaluator(
   return *evaluator;
 }
 
-/// Returns the first one-component point array with a name, or null. Several arrays may have the
-/// same name.
-vtkDataArray* FindArray(vtkDataSet* data, const std::string& name)
+/// Returns the one-component point arrays by name, the first one if several have the same name.
+std::map<std::string, vtkDataArray*> FindVariables(vtkDataSet* data)
 {
+  std::map<std::string, vtkDataArray*> variables;
   vtkPointData* arrays = data->GetPointData();
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
-    const char* found = arrays->GetArrayName(i);
+    const char* name = arrays->GetArrayName(i);
     vtkDataArray* array = arrays->GetArray(i);
-    if (found && found == name && array && array->GetNumberOfComponents() == 1)
+    if (name && array && array->GetNumberOfComponents() == 1)
     {
-      return array;
+      variables.emplace(name, array);
     }
   }
-  return nullptr;
+  return variables;
 }
 
-/// Returns the arrays of the samples that a mapping uses.
-std::vector<vtkDataArray*> GetVariables(const interlume::InflowFunction* function, vtkDataSet* data)
+/// Returns the arrays that a mapping uses.
+std::vector<vtkDataArray*> GetVariables(
+  const interlume::InflowFunction* function, const std::map<std::string, vtkDataArray*>& variables)
 {
-  std::vector<vtkDataArray*> variables;
+  std::vector<vtkDataArray*> used;
   for (std::size_t i = 0; function && i < function->GetArrays().size(); ++i)
   {
-    variables.push_back(FindArray(data, function->GetArrays()[i]));
+    used.push_back(variables.at(function->GetArrays()[i]));
   }
-  return variables;
+  return used;
 }
 
 /// Returns the smallest, the middle and the largest finite value of samples that reached a surface;
@@ -346,15 +347,11 @@ void vtkInflowMapping::SetLevel(interlume::InflowEvaluator& evaluator,
 interlume::Error vtkInflowMapping::UseArrays(
   const interlume::ImplicitFlowArrays& arrays, vtkDataSet* input)
 {
+  const std::map<std::string, vtkDataArray*> variables = FindVariables(input);
   std::set<std::string> names;
-  vtkPointData* data = input->GetPointData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  for (const auto& variable : variables)
   {
-    const char* name = data->GetArrayName(i);
-    if (name && data->GetArray(i) && data->GetArray(i)->GetNumberOfComponents() == 1)
-    {
-      names.insert(name);
-    }
+    names.insert(variable.first);
   }
   if (names != this->ArrayNames)
   {
@@ -382,7 +379,7 @@ interlume::Error vtkInflowMapping::UseArrays(
     }
     for (const std::string& name : mapping.second->GetArrays())
     {
-      vtkDataArray* array = FindArray(input, name);
+      vtkDataArray* array = variables.at(name);
       if (const interlume::Error error = interlume::ArrayCheck::FindPointError(input, array, 1))
       {
         return interlume::ArrayCheck::MakeSentence(error);
@@ -397,6 +394,7 @@ interlume::Error vtkInflowMapping::UseArrays(
 bool vtkInflowMapping::MapSamples(
   const interlume::ImplicitFlowArrays& arrays, vtkDataSet* input, double* values)
 {
+  const std::map<std::string, vtkDataArray*> arraysByName = FindVariables(input);
   vtkSMPThreadLocal<EvaluatorMap> threads;
   const auto map = [&](vtkIdType first, vtkIdType last)
   {
@@ -417,7 +415,7 @@ bool vtkInflowMapping::MapSamples(
         id = arrays.GetId(p);
         const interlume::InflowFunction* function = this->Find(id);
         evaluator = &GetEvaluator(evaluators, function);
-        variables = GetVariables(function, input);
+        variables = GetVariables(function, arraysByName);
         hasTime = function && function->HasTime();
         const std::array<bool, 2> periodicity = arrays.GetPeriodicity(id);
         evaluator->SetSurface(id, periodicity[0], periodicity[1]);
@@ -520,6 +518,7 @@ void vtkInflowMapping::MapFarSide(const interlume::ImplicitFlowArrays& arrays, v
   vtkNew<vtkDoubleArray> inflow;
   inflow->SetName(interlume::FarSideSamples::GetName(vtkFlowStatus::InflowArray()).c_str());
   inflow->SetNumberOfValues(ids->GetNumberOfTuples());
+  const std::map<std::string, vtkDataArray*> arraysByName = FindVariables(output);
   EvaluatorMap evaluators;
   for (vtkIdType row = 0; row < ids->GetNumberOfTuples(); ++row)
   {
@@ -529,7 +528,7 @@ void vtkInflowMapping::MapFarSide(const interlume::ImplicitFlowArrays& arrays, v
     const std::array<bool, 2> periodicity = arrays.GetPeriodicity(id);
     evaluator.SetSurface(id, periodicity[0], periodicity[1]);
     evaluator.SetTime(times->GetComponent(row, 0));
-    const std::vector<vtkDataArray*> variables = GetVariables(function, output);
+    const std::vector<vtkDataArray*> variables = GetVariables(function, arraysByName);
     for (std::size_t i = 0; i < variables.size(); ++i)
     {
       // Quantities along the path have far-side values, all others are the sample's own.

@@ -105,11 +105,6 @@ void vtkIntervalVolumeRepresentation::SetMapper(vtkTimeWeightedTetrahedraMapper*
   this->AddVolumeMapper(MAPPER_NAME, mapper);
 }
 
-void vtkIntervalVolumeRepresentation::SetBoundaryConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
 void vtkIntervalVolumeRepresentation::SetBoundaryColor(
   int id, double red, double green, double blue, double opacity)
 {

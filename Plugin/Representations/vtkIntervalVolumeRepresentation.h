@@ -102,9 +102,6 @@ public:
   void RemoveAllBlockSelectors();
   ///@}
 
-  /// Set the boundary triangles; null for none.
-  void SetBoundaryConnection(vtkAlgorithmOutput* output);
-
   ///@{
   /**
    * Set the color and the opacity of boundary triangles with a value of the mapper's

@@ -55,8 +55,8 @@ flat out mat4 colorPlane;
 flat out vec4 cellColor;
 #endif
 #ifdef SURFACE
-// 1 plus the number of the material for boundary triangles, otherwise 0. baseFace is for the face on the base side, and otherFaces
-// for the face on the other side next to each edge.
+// 1 plus the number of the material for boundary triangles, otherwise 0. baseFace is for the face on
+// the base side, and otherFaces for the face on the other side next to each edge.
 flat out float baseFace;
 flat out vec4 otherFaces;
 flat out mat3x4 normalPlane;

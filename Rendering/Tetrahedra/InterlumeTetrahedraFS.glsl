@@ -63,9 +63,9 @@ uniform vec4 lightPositions[MAXIMUM_LIGHTS];
 uniform vec3 lightColors[MAXIMUM_LIGHTS];
 uniform vec3 normalRows[3];
 #ifdef SURFACE_MATERIALS
-// Four vectors for each material: color, coefficients, specular color, and the texture's first pixel,
-// width, height and whether it is repeated. The width is 0 without a texture. The first pixel is the
-// number in the fourth vector plus 4096 times the number after the specular color.
+// Four vectors for each material: color, coefficients, specular color, and the texture's first
+// pixel, width, height and whether it is repeated. The width is 0 without a texture. The first
+// pixel is the number in the fourth vector plus 4096 times the number after the specular color.
 uniform samplerBuffer surfaceMaterials;
 uniform samplerBuffer surfacePixels;
 // 1 plus the number of the material that shade() uses.

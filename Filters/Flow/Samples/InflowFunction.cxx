@@ -32,9 +32,8 @@ enum Variables
   FIRST_ARRAY_VARIABLE
 };
 
-// Name of the variable that replaces array \a i. Names of arrays may contain spaces or be keywords
-// of the parser.
-// The last character is a letter, so that a number that follows does not select another array.
+// Returns the variable that replaces array \a i, since the names of arrays may contain spaces or be
+// keywords of the parser. A number that follows the last letter does not select another array.
 std::string GetVariable(std::size_t i)
 {
   return "interlume_array_" + std::to_string(i) + "_x";
