@@ -78,12 +78,11 @@ public:
   /**
    * How criteria change the result:
    * - INTERSECTION: the part of the intervals that satisfies all criteria
-   * - UNION, an error in vtkTimeVaryingIntervalVolume: the intervals, and the region outside of
-   *   them that satisfies any criterion. This region has the `IntervalId` -1. Its tetrahedra are
-   *   last in the output, sorted by criterion. They share no points with the intervals, and those
-   *   of different criteria share none. Cells are skipped where the scalar is NaN or infinite. At
-   *   least one interval must be set. The report and the warnings about cells describe the
-   *   extraction of the intervals.
+   * - UNION: the intervals, and the region outside of them that satisfies any criterion. This
+   *   region has the `IntervalId` -1. Its cells are last in the output, sorted by criterion. They
+   *   share no points with the intervals, and those of different criteria share none. Cells are
+   *   skipped where the scalar is NaN or infinite. At least one interval must be set. Warnings and
+   *   the counts of input cells in the report describe the extraction of the intervals.
    * - DIFFERENCE: the part of the intervals that satisfies no criterion
    *
    * Default INTERSECTION.

@@ -4,6 +4,7 @@
 #include "Arrays/ExtractionArrays.h"
 #include "Grid/InteriorCellFilter.h"
 #include "Output/BlockPool.h"
+#include "Pass/CriterionRange.h"
 #include "Pass/ExtractionIndex.h"
 #include "Static/DataSetLeaves.h"
 #include "Static/Extraction.h"
@@ -23,34 +24,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <limits>
 
 vtkStandardNewMacro(vtkIntervalVolume);
-
-namespace
-{
-// A range of a point array.
-struct Range
-{
-  vtkDataArray* Array;
-  double Lower;
-  double Upper;
-
-  // Returns whether the values at the points of a cell overlap the range.
-  bool Overlaps(vtkIdList* points) const
-  {
-    double minimum = std::numeric_limits<double>::infinity();
-    double maximum = -minimum;
-    for (const vtkIdType point : *points)
-    {
-      const double value = this->Array->GetComponent(point, 0);
-      minimum = std::min(minimum, value);
-      maximum = std::max(maximum, value);
-    }
-    return minimum <= this->Upper && maximum >= this->Lower;
-  }
-};
-}
 
 vtkIntervalVolume::vtkIntervalVolume()
   : Index(vtkSmartPointer<interlume::ExtractionIndex>::New())
@@ -182,32 +157,22 @@ bool vtkIntervalVolume::AppendCriteria(int dimension, vtkDataSet* input, vtkData
   interlume::ExtractionRun& run, vtkUnstructuredGrid* output, vtkUnstructuredGrid* boundary)
 {
   const int criteria = this->GetNumberOfCriteria();
-  std::vector<Range> ranges;
+  std::vector<interlume::CriterionRange> ranges;
   for (const Criterion& criterion : this->GetCriteria())
   {
-    ranges.push_back({ input->GetPointData()->GetArray(criterion.ArrayName.c_str()),
+    ranges.push_back({ { input->GetPointData()->GetArray(criterion.ArrayName.c_str()) },
       criterion.Lower, criterion.Upper });
   }
   const vtkSmartPointer<vtkDataSet> overlapping = interlume::ExtractionInput::HideCells(input,
     [&ranges](vtkIdList* points)
     {
       return std::none_of(ranges.begin(), ranges.end(),
-        [points](const Range& range) { return range.Overlaps(points); });
+        [points](const interlume::CriterionRange& range)
+        { return range.Overlaps(points->GetPointer(0), points->GetNumberOfIds()); });
     });
   interlume::Extraction extraction;
-  std::vector<vtkIntervalList::Interval> intervals;
-  for (const vtkIntervalList::Interval& interval : this->GetIntervals())
-  {
-    // An interval of zero width consists of cells.
-    if (interval[0] == interval[1])
-    {
-      extraction.SkippedConstants.push_back(interval[0]);
-    }
-    else
-    {
-      intervals.push_back(interval);
-    }
-  }
+  std::vector<vtkIntervalList::Interval> intervals = this->GetIntervals();
+  extraction.SkippedConstants = interlume::ExtractionValues::TakeConstants(intervals);
   const interlume::ExtractionValues values = interlume::ExtractionValues::ForComplement(intervals);
   interlume::ExtractionReport report;
   extraction.Owner = this;

@@ -139,12 +139,6 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckDirection() const
 
 interlume::Error vtkTimeVaryingIntervalVolume::CheckCriteriaSettings() const
 {
-  if (this->GetNumberOfCriteria() > 0 && this->GetCriteriaOperation() == UNION)
-  {
-    return "The CriteriaOperation UNION is not available over time. Use INTERSECTION or "
-           "DIFFERENCE, "
-           "or append the intervals of the other array from a second filter.";
-  }
   for (const std::string& name : this->GetCriteriaArrayNames())
   {
     if (name.empty() || name == "Time" || name == "DeltaT")
@@ -245,7 +239,7 @@ bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
     options.Criteria.push_back(
       { criterion.ArrayName, criterion.Lower, criterion.Upper, this->DescribeCriterion(i) });
   }
-  options.ExcludesCriteria = this->GetCriteriaOperation() == DIFFERENCE;
+  options.Operation = this->GetCriteriaOperation();
   this->Run = std::make_unique<interlume::TimeVaryingRun>(this, this->GetIntervals(), options,
     steps, this->GetTimes(steps), this->Coarse ? 0 : this->GetSizeWarningLimit(),
     [this](vtkDataSet* input) { return this->CheckCriteria(input); });
@@ -443,7 +437,11 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun
     isSelected
       ? ""
       : "no output is selected. Turn on GenerateTetrahedra, GenerateSimplices or a boundary.",
-    interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) + " at any time");
+    interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) +
+      (this->GetCriteriaOperation() == UNION && this->GetNumberOfCriteria() > 0
+          ? " or satisfies a criterion"
+          : "") +
+      " at any time");
   if (why.empty() && this->GenerateTetrahedra && report.Simplices > 0 &&
     report.FlatSimplices == report.Simplices)
   {

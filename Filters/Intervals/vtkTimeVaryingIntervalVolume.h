@@ -53,7 +53,9 @@ struct TimeVaryingReport;
  * Output port 1: the selected boundaries as triangles and tetrahedra in space, with `Time` and the
  * other point arrays, and cell arrays `BoundaryKind` (int, see BoundaryKinds), `IntervalId` and
  * `TimeSlab`. Start and end are the first and last selected time step. Surfaces in time where the
- * array of criterion i equals its bound have the kind 2 i + 8 (lower) or 2 i + 9 (upper).
+ * array of criterion i equals its bound have the kind 2 i + 8 (lower) or 2 i + 9 (upper). With
+ * UNION, the surfaces of the intervals are complete, and those of a criterion are the ones outside
+ * of the intervals and of earlier criteria.
  *
  * Output port 2, if GenerateSimplices is on: the 4-simplices as VTK_POLY_VERTEX cells of five
  * points, positively oriented in (x,y,z,t), with `Time` and the other point arrays, and cell arrays
@@ -71,9 +73,9 @@ struct TimeVaryingReport;
  * every step.
  *
  * Errors (vtkErrorMacro, empty output): fewer than two time steps, times that decrease or are not
- * finite, a zero projection direction, criteria with UNION, and the errors of vtkIntervalVolume. A
- * step without the scalar is an error, and so is one whose grid type, number of points or cells, or
- * connectivity differs from the previous step.
+ * finite, a zero projection direction, and the errors of vtkIntervalVolume. A step without the
+ * scalar is an error, and so is one whose grid type, number of points or cells, or connectivity
+ * differs from the previous step.
  *
  * Warnings (vtkWarningMacro): an array that is skipped because it is missing in a step or named
  * `DeltaT` or `Time`; a slab that is skipped because its duration is zero; an empty output (see

@@ -56,12 +56,15 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
   reference::TimeSteps steps = reference::RepeatGrid(data.Data, times);
   const unsigned seed = static_cast<unsigned>(random.Next());
   const bool isTied = random.Chance(0.4);
+  const bool hasCriterion = random.Chance(0.3);
   if (isTied)
   {
+    reference::AddIntegerTimeField(steps, 3, seed + 1, "g");
     reference::AddIntegerTimeField(steps, 3, seed);
   }
   else
   {
+    reference::AddRandomTimeField(steps, seed + 1, "g");
     reference::AddRandomTimeField(steps, seed);
   }
   const double lower = isTied ? random.Integer(0, 2) : random.Unit();
@@ -69,8 +72,11 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
     isTied ? std::max<double>(lower, random.Integer(0, 2)) : lower + random.Unit();
   const bool hasSimplices = random.Chance(0.5);
   const bool hasBoundaries = random.Chance(0.5);
+  const double bound = random.Integer(0, 2);
+  const int operation = random.Integer(0, 2);
   text = data.Text + ", " + std::to_string(times.size()) + (isTied ? " tied" : "") + " steps, [" +
-    std::to_string(lower) + ", " + std::to_string(upper) + "]";
+    std::to_string(lower) + ", " + std::to_string(upper) + "]" +
+    (hasCriterion ? ", criterion " + std::to_string(operation) : "");
   vtkNew<reference::TimeStepSource> source;
   source->SetSteps(steps);
   const auto make = [&]()
@@ -81,6 +87,11 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
     filter->SetInterval(0, lower, upper);
     filter->SetGenerateSimplices(hasSimplices);
     filter->SetGenerateBoundaries(hasBoundaries);
+    if (hasCriterion)
+    {
+      filter->AddCriterion("g", 0.5 * bound, bound);
+      filter->SetCriteriaOperation(operation);
+    }
     return filter;
   };
   CheckRun(make, true, check);

@@ -93,6 +93,10 @@ def check_criteria(checks, extraction):
     outside = extent()
     checks.that(0 < inside < everything and abs(inside + outside - everything) <= 1e-5 * everything,
                 f"parts of a criterion: {inside} and {outside} of {everything}")
+    volume.CombineCriteria = "Union"
+    united = extent()
+    ids = fetch(volume).GetCellData().GetArray("IntervalId").GetRange()
+    checks.that(united > everything and ids[0] == -1, f"union of {united} with {everything}, ids from {ids[0]}")
 
 
 def main(checks):

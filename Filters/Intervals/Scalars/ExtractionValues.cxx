@@ -2,6 +2,8 @@
 #include "Scalars/ExtractionValues.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 namespace interlume
 {
@@ -60,6 +62,17 @@ ExtractionValues ExtractionValues::ForIntervals(const std::vector<std::array<dou
   }
   result.FindPoints();
   return result;
+}
+
+std::vector<double> ExtractionValues::TakeConstants(std::vector<std::array<double, 2>>& intervals)
+{
+  const auto constants = std::stable_partition(intervals.begin(), intervals.end(),
+    [](const std::array<double, 2>& interval) { return interval[0] != interval[1]; });
+  std::vector<double> values;
+  std::transform(constants, intervals.end(), std::back_inserter(values),
+    [](const std::array<double, 2>& interval) { return interval[0]; });
+  intervals.erase(constants, intervals.end());
+  return values;
 }
 
 ExtractionValues ExtractionValues::ForComplement(std::vector<std::array<double, 2>> intervals)

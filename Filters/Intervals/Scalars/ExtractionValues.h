@@ -67,6 +67,9 @@ public:
   /// Creates the values for the regions outside all of these closed intervals, in ascending order.
   /// The first lower and the last upper value are infinite.
   static ExtractionValues ForComplement(std::vector<std::array<double, 2>> intervals);
+  /// Removes the intervals of zero width and returns their values. Such an interval consists of
+  /// cells, which ForComplement() cannot exclude.
+  static std::vector<double> TakeConstants(std::vector<std::array<double, 2>>& intervals);
 
   vtkIsotable::Kinds GetKind() const { return this->Kind; }
   const std::vector<double>& GetValues() const { return this->Values; }

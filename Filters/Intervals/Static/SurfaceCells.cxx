@@ -231,36 +231,6 @@ private:
   vtkNew<vtkIdList> Triangles;
   vtkNew<vtkPoints> TrianglePoints;
 };
-
-// Appends the cells of grids, with their points. Grids without points may lack arrays.
-void AppendTo(vtkUnstructuredGrid* output, const SurfaceCells::Grids& parts)
-{
-  vtkNew<vtkUnstructuredGrid> before;
-  before->ShallowCopy(output);
-  SurfaceCells::Grids grids{ before.GetPointer() };
-  grids.insert(grids.end(), parts.begin(), parts.end());
-  grids.erase(std::remove_if(grids.begin(), grids.end(),
-                [](vtkUnstructuredGrid* grid) { return grid->GetNumberOfPoints() == 0; }),
-    grids.end());
-  if (grids.size() == 1)
-  {
-    output->ShallowCopy(grids[0]);
-  }
-  if (grids.size() < 2)
-  {
-    return;
-  }
-  vtkNew<vtkAppendFilter> append;
-  for (vtkUnstructuredGrid* grid : grids)
-  {
-    append->AddInputData(grid);
-  }
-  append->SetOutputPointsPrecision(grids[0]->GetPoints()->GetDataType() == VTK_DOUBLE
-      ? vtkAlgorithm::DOUBLE_PRECISION
-      : vtkAlgorithm::SINGLE_PRECISION);
-  append->Update();
-  output->ShallowCopy(append->GetOutput());
-}
 }
 
 SurfaceCells::Dimensions SurfaceCells::FindDimensions(vtkDataSet* input)
@@ -293,13 +263,42 @@ void SurfaceCells::Convert(vtkDataSet* input, ExtractionIndex::LinearGrid& surfa
   Converter(input, surface).Execute();
 }
 
+void SurfaceCells::Append(const Grids& parts, vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkUnstructuredGrid> before;
+  before->ShallowCopy(output);
+  Grids grids{ before.GetPointer() };
+  grids.insert(grids.end(), parts.begin(), parts.end());
+  grids.erase(std::remove_if(grids.begin(), grids.end(),
+                [](vtkUnstructuredGrid* grid) { return grid->GetNumberOfPoints() == 0; }),
+    grids.end());
+  if (grids.size() == 1)
+  {
+    output->ShallowCopy(grids[0]);
+  }
+  if (grids.size() < 2)
+  {
+    return;
+  }
+  vtkNew<vtkAppendFilter> append;
+  for (vtkUnstructuredGrid* grid : grids)
+  {
+    append->AddInputData(grid);
+  }
+  append->SetOutputPointsPrecision(grids[0]->GetPoints()->GetDataType() == VTK_DOUBLE
+      ? vtkAlgorithm::DOUBLE_PRECISION
+      : vtkAlgorithm::SINGLE_PRECISION);
+  append->Update();
+  output->ShallowCopy(append->GetOutput());
+}
+
 void SurfaceCells::Append(const Grids& parts, const Grids& boundaries, vtkUnstructuredGrid* output,
   vtkUnstructuredGrid* boundary)
 {
-  AppendTo(output, parts);
+  Append(parts, output);
   if (boundary->GetPoints())
   {
-    AppendTo(boundary, boundaries);
+    Append(boundaries, boundary);
     boundary->SetPoints(output->GetPoints());
     boundary->GetPointData()->ShallowCopy(output->GetPointData());
   }

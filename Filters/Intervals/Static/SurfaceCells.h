@@ -47,6 +47,10 @@ public:
 
   using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
 
+  /// Appends the cells of grids to \a output, with their points. Grids without points may lack
+  /// arrays.
+  static void Append(const Grids& parts, vtkUnstructuredGrid* output);
+
   /// Appends \a parts to \a output, and their boundaries to \a boundary. Each boundary has the
   /// points of its part. Grids that are appended must have the same arrays.
   static void Append(const Grids& parts, const Grids& boundaries, vtkUnstructuredGrid* output,

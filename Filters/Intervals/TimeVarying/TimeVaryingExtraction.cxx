@@ -2,6 +2,7 @@
 #include "TimeVarying/TimeVaryingExtraction.h"
 
 #include "TimeVarying/TimeVaryingReport.h"
+#include "Pass/CriterionRange.h"
 #include "Pass/ExtractionStages.h"
 #include "Scalars/ExtractionScalars.h"
 #include "SpaceTime/SpaceTimeTable.h"
@@ -369,6 +370,49 @@ private:
   bool MarksFlat;
 };
 
+// The cells that a part of a union consists of: all cells for the intervals, and those that a
+// criterion overlaps for the region outside of them.
+class UnionRegion
+{
+public:
+  UnionRegion(const TimeStep& first, const TimeStep& second, const TimeVaryingOptions& options)
+    : Constants(options.SkippedConstants)
+    , Scalars{ first.GetScalars(), second.GetScalars() }
+  {
+    if (options.Part > 0)
+    {
+      const auto& criterion = options.Criteria[options.Part - 1];
+      const auto find = [&criterion](const TimeStep& step)
+      { return step.GetGrid()->GetPointData()->GetArray(criterion.ArrayName.c_str()); };
+      this->Range.emplace(
+        std::vector<vtkDataArray*>{ find(first), find(second) }, criterion.Lower, criterion.Upper);
+    }
+  }
+
+  bool Includes(const Cell& cell) const
+  {
+    return !this->Range ||
+      (this->Range->Overlaps(cell.Ids, cell.NumberOfCorners) &&
+        std::none_of(this->Constants.begin(), this->Constants.end(),
+          [this, &cell](double constant) { return this->IsConstant(cell, constant); }));
+  }
+
+private:
+  bool IsConstant(const Cell& cell, double constant) const
+  {
+    return std::all_of(cell.Ids, cell.Ids + cell.NumberOfCorners,
+      [this, constant](vtkIdType id)
+      {
+        return this->Scalars[0]->GetComponent(id, 0) == constant &&
+          this->Scalars[1]->GetComponent(id, 0) == constant;
+      });
+  }
+
+  const std::vector<double>& Constants;
+  vtkDataArray* Scalars[2];
+  std::optional<CriterionRange> Range;
+};
+
 template <typename Cells>
 class SlabPass : public ExtractionStages<SlabPass<Cells>, Local>
 {
@@ -385,6 +429,7 @@ public:
     , Order(order)
     , Cutter(order, mesh)
     , Writer(first, second, Cutter, mesh)
+    , Region(first, second, mesh.GetOptions())
     , Mesh(mesh)
     , Report(report)
     , NumberOfPoints(first.GetNumberOfPoints())
@@ -412,7 +457,10 @@ public:
     for (const vtkIdType id : local.Near)
     {
       this->Read(id, cell);
-      this->CountCell(cell, chunk, local, arena);
+      if (this->Region.Includes(cell))
+      {
+        this->CountCell(cell, chunk, local, arena);
+      }
     }
   }
 
@@ -443,8 +491,9 @@ public:
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
     // If a value equals a bound, the 4-simplices are needed to determine which boundary cells
     // remain. If there are criteria, the 4-simplices are needed for the boundary at their bounds.
+    const TimeVaryingOptions& options = this->Mesh.GetOptions();
     const bool isNeeded = settings.GenerateTetrahedra || settings.GenerateSimplices ||
-      (this->HasBoundary && !this->Mesh.GetOptions().Criteria.empty()) ||
+      (options.HasBoundary() && options.GetNumberOfCuts() > 0) ||
       (this->HasBoundary && (this->Steps[0]->HasTies() || this->Steps[1]->HasTies()));
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
     slab.Items.Allocate(isNeeded && this->Values.GetItems().size() > 1 ? simplices : 0);
@@ -584,6 +633,7 @@ private:
   const CornerOrder& Order;
   SlabCutter Cutter;
   SlabWriter Writer;
+  UnionRegion Region;
   TimeVaryingMesh& Mesh;
   TimeVaryingReport& Report;
   vtkIdType NumberOfPoints;

@@ -168,7 +168,10 @@ vtkSmartPointer<vtkDoubleArray> MakeTimes(
 void TimeVaryingMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies)
 {
   this->IsLast = isLast;
-  this->RequiredKinds = this->Options.Settings.GenerateBoundary;
+  for (int kind = 0; kind < Kinds::NUMBER_OF_BOUNDARY_KINDS; ++kind)
+  {
+    this->RequiredKinds[kind] = this->Options.IsRequested(kind);
+  }
   this->HasTies = this->HasTies || hasTies;
   // The volume at a step is needed to decide which surfaces at the step bound a volume.
   this->RequiredKinds[Kinds::VOLUME_AT_START] |= hasTies &&
@@ -484,7 +487,7 @@ void TimeVaryingMesh::ResolveTiedBoundary()
       });
   }
   inTime.Visit(settle);
-  if (!this->Options.Criteria.empty())
+  if (this->Options.GetNumberOfCuts() > 0)
   {
     this->MarkRepeatedSurfaces(isRemoved);
   }
@@ -493,7 +496,7 @@ void TimeVaryingMesh::ResolveTiedBoundary()
   {
     const int kind = this->Boundary[c].Kind;
     if (!isRemoved[c] &&
-      (kind >= Kinds::NUMBER_OF_BOUNDARY_KINDS || this->Options.Settings.GenerateBoundary[kind]))
+      (kind >= Kinds::NUMBER_OF_BOUNDARY_KINDS || this->Options.IsRequested(kind)))
     {
       this->Boundary[retained++] = this->Boundary[c];
     }

@@ -104,7 +104,7 @@ public:
   /// where a criterion touches its bound at a step only.
   bool HasStepVolumes() const
   {
-    return this->Options.Settings.GenerateSimplices && !this->Options.Criteria.empty();
+    return this->Options.Settings.GenerateSimplices && this->Options.GetNumberOfCuts() > 0;
   }
   static bool IsVolume(int kind)
   {

@@ -2,10 +2,13 @@
 #ifndef interlume_TimeVaryingOptions_h
 #define interlume_TimeVaryingOptions_h
 
+#include "vtkIntervalAlgorithm.h"
 #include "vtkTimeVaryingSettings.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -54,9 +57,42 @@ public:
   /// If true, steps are copied because the input writes each one over the previous one.
   const bool CopiesSteps;
 
-  /// Criteria, all of which the output satisfies, or none if ExcludesCriteria is true.
   std::vector<Criterion> Criteria;
-  bool ExcludesCriteria = false;
+  /// How the criteria change the result. A union has one part for the intervals (Part is 0), and
+  /// one for each criterion (Part is its index plus 1): the region that satisfies the criterion,
+  /// outside of the intervals and of the criteria before it.
+  int Operation = vtkIntervalAlgorithm::INTERSECTION;
+  int Part = 0;
+  /// Cells where the scalar has one of these values at all points do not belong to the region
+  /// outside of the intervals.
+  std::vector<double> SkippedConstants;
+
+  bool IsUnion() const { return this->Operation == vtkIntervalAlgorithm::UNION; }
+  /// Returns the number of criteria at which the part is cut.
+  std::size_t GetNumberOfCuts() const
+  {
+    return this->IsUnion() ? static_cast<std::size_t>(this->Part) : this->Criteria.size();
+  }
+  /// Returns whether the region that satisfies a criterion is removed.
+  bool IsExcluded(std::size_t criterion) const
+  {
+    return this->IsUnion() ? static_cast<int>(criterion) + 1 < this->Part
+                           : this->Operation == vtkIntervalAlgorithm::DIFFERENCE;
+  }
+  /// Returns whether a kind of boundary of the intervals is requested.
+  bool IsRequested(int kind) const
+  {
+    // The surfaces where a region outside meets the intervals are inside the union.
+    return this->Settings.GenerateBoundary[kind] &&
+      (this->Part == 0 || kind >= vtkTimeVaryingSettings::VOLUME_AT_START);
+  }
+
+  /// Returns whether any kind of boundary is requested.
+  bool HasBoundary() const
+  {
+    const auto& kinds = this->Settings.GenerateBoundary;
+    return std::find(kinds.begin(), kinds.end(), true) != kinds.end();
+  }
 
   bool IsAlongTime() const { return this->Direction[3] == 1.0; }
 

@@ -3,8 +3,22 @@
 
 #include "Common/ReportValue.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace interlume
 {
+
+void TimeVaryingReport::AddOutput(const TimeVaryingReport& other)
+{
+  const auto add = [](auto& sums, const auto& values)
+  { std::transform(sums.begin(), sums.end(), values.begin(), sums.begin(), std::plus<>()); };
+  this->Simplices += other.Simplices;
+  this->FlatSimplices += other.FlatSimplices;
+  this->InvertedSimplices += other.InvertedSimplices;
+  add(this->Tetrahedra, other.Tetrahedra);
+  add(this->Boundaries, other.Boundaries);
+}
 
 void TimeVaryingReport::CopyTo(vtkInterlumeReport* report) const
 {

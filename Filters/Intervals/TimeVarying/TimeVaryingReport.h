@@ -38,6 +38,8 @@ struct TimeVaryingReport : ExtractionReport
   vtkIdType TableLookups = 0;
   vtkIdType TableCasesComputed = 0;
 
+  /// Adds the numbers of 4-simplices, tetrahedra and boundary cells.
+  void AddOutput(const TimeVaryingReport& other);
   void CopyTo(vtkInterlumeReport* report) const;
 };
 

@@ -5,12 +5,15 @@
 #include "Common/ArrayMatch.h"
 #include "Static/DataSetLeaves.h"
 #include "Static/ExtractionInput.h"
+#include "Static/SurfaceCells.h"
 #include "TimeVarying/CriterionCut.h"
 #include "TimeVarying/ProjectedTetrahedra.h"
 #include "TimeVarying/TimeVaryingExtraction.h"
 #include "TimeVarying/TimeVaryingOutput.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkUnstructuredGrid.h"
@@ -38,6 +41,21 @@ std::vector<std::string> GetNames(const std::vector<TimeVaryingOptions::Criterio
   }
   return names;
 }
+
+// Appends a part of a union, which no interval contains, to an output.
+void AppendGrid(vtkDataSet* part, vtkDataSet* output)
+{
+  vtkUnstructuredGrid* const grid = vtkUnstructuredGrid::SafeDownCast(part);
+  if (!grid || grid->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (vtkDataArray* ids = grid->GetCellData()->GetArray("IntervalId"))
+  {
+    ids->Fill(-1);
+  }
+  SurfaceCells::Append({ grid }, vtkUnstructuredGrid::SafeDownCast(output));
+}
 }
 
 TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner,
@@ -47,13 +65,32 @@ TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner,
   : Owner(owner)
   , Conversion(owner, 1, GetNames(options.Criteria))
   , Intervals(intervals)
-  , Values(ExtractionValues::ForIntervals(intervals))
   , Options(options)
+  , Values(this->MakeValues())
   , Steps(steps)
   , Times(times)
   , Size(owner, sizeWarningLimit)
   , CheckCriteria(std::move(checkCriteria))
 {
+  for (std::size_t i = 0; options.IsUnion() && options.Part == 0 && i < options.Criteria.size();
+       ++i)
+  {
+    TimeVaryingOptions part = options;
+    part.Part = static_cast<int>(i) + 1;
+    this->Parts.push_back(
+      std::make_unique<TimeVaryingRun>(owner, intervals, part, steps, times, 0));
+  }
+}
+
+ExtractionValues TimeVaryingRun::MakeValues()
+{
+  if (this->Options.Part == 0)
+  {
+    return ExtractionValues::ForIntervals(this->Intervals);
+  }
+  std::vector<vtkIntervalList::Interval> intervals = this->Intervals;
+  this->Options.SkippedConstants = ExtractionValues::TakeConstants(intervals);
+  return ExtractionValues::ForComplement(intervals);
 }
 
 void TimeVaryingRun::CopyStructure(vtkDataObject* input, vtkDataObject* output)
@@ -124,6 +161,10 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   {
     error = this->AddLeafStep(leaves[number], *this->Leaves[number], number, result);
   }
+  for (std::size_t i = 0; i < this->Parts.size() && result == DONE; ++i)
+  {
+    error = this->Parts[i]->AddStep(input, result);
+  }
   error = error.Within(this->DescribeStep() + ": ");
   if (this->NextStep > 0 && !hasSlab)
   {
@@ -149,13 +190,8 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   return error;
 }
 
-void TimeVaryingRun::CheckSize()
+void TimeVaryingRun::AddSize(SizeWarning::Size& size)
 {
-  if (!this->Size.IsPending())
-  {
-    return;
-  }
-  SizeWarning::Size size;
   for (const std::unique_ptr<Leaf>& leaf : this->Leaves)
   {
     if (leaf->Before)
@@ -164,6 +200,20 @@ void TimeVaryingRun::CheckSize()
       size.Tetrahedra += leaf->Tetrahedra;
       size.Bytes += TimeVaryingOutput::EstimateBytes(leaf->Mesh, leaf->Tetrahedra);
     }
+  }
+}
+
+void TimeVaryingRun::CheckSize()
+{
+  if (!this->Size.IsPending())
+  {
+    return;
+  }
+  SizeWarning::Size size;
+  this->AddSize(size);
+  for (const std::unique_ptr<TimeVaryingRun>& part : this->Parts)
+  {
+    part->AddSize(size);
   }
   const int slabs = static_cast<int>(this->Steps.size()) - 1;
   const double scale = static_cast<double>(slabs) / this->Report.Slabs;
@@ -225,6 +275,15 @@ ExtractionContext TimeVaryingRun::MakeContext()
   return context;
 }
 
+void TimeVaryingRun::SetProgressRange(double begin, double end, std::size_t leaf)
+{
+  const std::size_t parts = this->Options.IsUnion() ? this->Options.Criteria.size() + 1 : 1;
+  const std::size_t leaves = this->Leaves.size();
+  const double share = (end - begin) / static_cast<double>(parts * leaves);
+  const std::size_t before = static_cast<std::size_t>(this->Options.Part) * leaves + leaf;
+  this->Owner->SetProgressShiftScale(begin + static_cast<double>(before) * share, share);
+}
+
 Error TimeVaryingRun::AddLeafStep(
   vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result)
 {
@@ -264,12 +323,9 @@ Error TimeVaryingRun::AddLeafStep(
   }
   this->WarnAboutNonFinitePoints(*step, input);
   const ExtractionContext context = this->MakeContext();
-  const double slabs = static_cast<double>(this->Times.size()) - 1.0;
-  const double leaves = static_cast<double>(this->Leaves.size());
+  const double fraction = ExtractionFraction / (static_cast<double>(this->Times.size()) - 1.0);
   const double slab = std::max(this->NextStep - 1, 0);
-  this->Owner->SetProgressShiftScale(
-    ExtractionFraction * (slab + static_cast<double>(number) / leaves) / slabs,
-    ExtractionFraction / (slabs * leaves));
+  this->SetProgressRange(slab * fraction, (slab + 1.0) * fraction, number);
   if (const Error error = leaf.Before ? step->FindDifference(*leaf.Before) : Error())
   {
     return error.Within("", ". The cells must be the same at all time steps.");
@@ -298,49 +354,92 @@ Error TimeVaryingRun::AddLeafStep(
   return {};
 }
 
-bool TimeVaryingRun::ApplyCriteria(TimeVaryingMesh& mesh)
+bool TimeVaryingRun::ApplyCriterion(std::size_t number, TimeVaryingMesh& mesh)
 {
   using Settings = vtkTimeVaryingSettings;
-  const auto& isRequested = this->Options.Settings.GenerateBoundary;
-  int kind = Settings::NUMBER_OF_BOUNDARY_KINDS;
-  for (std::size_t number = 0; number < this->Options.Criteria.size() && mesh.GetPoints(); ++number)
+  const TimeVaryingOptions::Criterion& criterion = this->Options.Criteria[number];
+  this->Owner->SetProgressText(("Cutting at " + criterion.Words).c_str());
+  CriterionCut cut(mesh, criterion.ArrayName);
+  if (!cut.GetArray())
   {
-    const TimeVaryingOptions::Criterion& criterion = this->Options.Criteria[number];
-    this->Owner->SetProgressText(("Cutting at " + criterion.Words).c_str());
-    CriterionCut cut(mesh, criterion.ArrayName);
-    if (!cut.GetArray())
-    {
-      this->Warn("The output is empty, since the array \"" + criterion.ArrayName +
-        "\" of a criterion cannot be interpolated between the time steps. Convert it to one type.");
-      return false;
-    }
-    const bool isExcluded = this->Options.ExcludesCriteria;
-    const CriterionCut::Half lower = { criterion.Lower, !isExcluded, isExcluded,
-      isRequested[Settings::LOWER_SURFACE_IN_TIME] ? kind : -1 };
-    const CriterionCut::Half upper = { criterion.Upper, isExcluded, isExcluded,
-      isRequested[Settings::UPPER_SURFACE_IN_TIME] ? kind + 1 : -1 };
-    kind += 2;
-    const vtkIdType before = mesh.GetNumberOfSimplices();
-    if (isExcluded)
-    {
-      cut.Execute({ lower, upper });
-    }
-    else
-    {
-      cut.Execute({ lower });
-      cut.Execute({ upper });
-    }
-    const vtkIdType after = mesh.GetNumberOfSimplices();
-    this->Report.Simplices += after - before;
-    this->Empty.AddCriterion(number, criterion.Words, cut.GetArray(), before, after);
-    if (this->Owner->GetAbortExecute())
+    this->Warn("The output is empty, since the array \"" + criterion.ArrayName +
+      "\" of a criterion cannot be interpolated between the time steps. Convert it to one type.");
+    return false;
+  }
+  const bool isExcluded = this->Options.IsExcluded(number);
+  // The bounds of a criterion that excludes a part of a union are inside the union.
+  const bool isInside = isExcluded && this->Options.IsUnion();
+  const int kind = Settings::NUMBER_OF_BOUNDARY_KINDS + 2 * static_cast<int>(number);
+  const auto getKind = [&](int side)
+  {
+    return !isInside &&
+        this->Options.Settings.GenerateBoundary[Settings::LOWER_SURFACE_IN_TIME + side]
+      ? kind + side
+      : -1;
+  };
+  const CriterionCut::Half lower = { criterion.Lower, !isExcluded, isExcluded, getKind(0) };
+  const CriterionCut::Half upper = { criterion.Upper, isExcluded, isExcluded, getKind(1) };
+  const vtkIdType before = mesh.GetNumberOfSimplices();
+  if (isExcluded)
+  {
+    cut.Execute({ lower, upper });
+  }
+  else
+  {
+    cut.Execute({ lower });
+    cut.Execute({ upper });
+  }
+  const vtkIdType after = mesh.GetNumberOfSimplices();
+  this->Report.Simplices += after - before;
+  this->Empty.AddCriterion(number, criterion.Words, cut.GetArray(), before, after);
+  return !this->Owner->GetAbortExecute();
+}
+
+bool TimeVaryingRun::ApplyCriteria(TimeVaryingMesh& mesh)
+{
+  for (std::size_t i = 0; i < this->Options.GetNumberOfCuts() && mesh.GetPoints(); ++i)
+  {
+    if (!this->ApplyCriterion(i, mesh))
     {
       return false;
     }
   }
-  if (!this->Options.Criteria.empty() && mesh.GetPoints())
+  if (this->Options.GetNumberOfCuts() > 0 && mesh.GetPoints())
   {
     mesh.RemoveUnusedPoints();
+  }
+  return true;
+}
+
+bool TimeVaryingRun::AppendParts(const std::vector<vtkDataObject*>& outputs)
+{
+  for (const std::unique_ptr<TimeVaryingRun>& part : this->Parts)
+  {
+    std::vector<vtkSmartPointer<vtkDataObject>> grids;
+    for (vtkDataObject* output : outputs)
+    {
+      grids.push_back(vtk::TakeSmartPointer(output->NewInstance()));
+      CopyStructure(output, grids.back());
+    }
+    if (!part->FillOutputs(grids[0], grids[1], grids[2]))
+    {
+      for (const std::string& warning : part->GetWarnings())
+      {
+        this->Warn(warning);
+      }
+      return false;
+    }
+    for (std::size_t port = 0; port < outputs.size(); ++port)
+    {
+      const std::vector<vtkDataSet*> leaves = DataSetLeaves::Get(outputs[port]);
+      const std::vector<vtkDataSet*> added = DataSetLeaves::Get(grids[port]);
+      for (std::size_t i = 0; i < leaves.size(); ++i)
+      {
+        AppendGrid(added[i], leaves[i]);
+      }
+    }
+    this->Report.AddOutput(part->Report);
+    this->Empty.Add(nullptr, nullptr, part->Report.Simplices);
   }
   return true;
 }
@@ -351,8 +450,6 @@ bool TimeVaryingRun::FillOutputs(
   OutputLeaves tetrahedraLeaves(tetrahedra);
   OutputLeaves boundaryLeaves(boundary);
   OutputLeaves simplexLeaves(simplices);
-  const auto& kinds = this->Options.Settings.GenerateBoundary;
-  const bool hasBoundary = std::find(kinds.begin(), kinds.end(), true) != kinds.end();
   const ExtractionContext context = this->MakeContext();
   std::size_t bytes = 0;
   for (std::unique_ptr<Leaf>& leaf : this->Leaves)
@@ -360,11 +457,10 @@ bool TimeVaryingRun::FillOutputs(
     bytes += leaf->Mesh.GetBytes();
   }
   context.UpdatePeakWorkingBytes(bytes);
-  double filled = 0.0;
+  std::size_t filled = 0;
   for (std::unique_ptr<Leaf>& leaf : this->Leaves)
   {
-    const double fraction = (1.0 - ExtractionFraction) / static_cast<double>(this->Leaves.size());
-    this->Owner->SetProgressShiftScale(ExtractionFraction + filled++ * fraction, fraction);
+    this->SetProgressRange(ExtractionFraction, 1.0, filled++);
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
     if (!this->ApplyCriteria(leaf->Mesh))
@@ -386,7 +482,7 @@ bool TimeVaryingRun::FillOutputs(
       return false;
     }
     output = boundaryLeaves.GetNext(isNeeded);
-    if (output && hasBoundary)
+    if (output && this->Options.HasBoundary())
     {
       TimeVaryingOutput::FillBoundary(mesh, output, this->Report);
     }
@@ -412,7 +508,7 @@ bool TimeVaryingRun::FillOutputs(
   {
     this->Warn(warning);
   }
-  return true;
+  return this->AppendParts({ tetrahedra, boundary, simplices });
 }
 
 }

@@ -87,13 +87,22 @@ private:
   };
 
   ExtractionContext MakeContext();
-  /// Cuts the mesh at the criteria. Returns false if the user aborted, or if an array was skipped.
+  // Sets the progress range to the share that a leaf, in this part of a union, has in a range.
+  void SetProgressRange(double begin, double end, std::size_t leaf);
+  // Appends the other parts of a union to the outputs.
+  bool AppendParts(const std::vector<vtkDataObject*>& outputs);
+  /// Cuts the mesh at a criterion. Returns false if the user aborted, or if the array was skipped.
+  bool ApplyCriterion(std::size_t number, TimeVaryingMesh& mesh);
   bool ApplyCriteria(TimeVaryingMesh& mesh);
   Error AddLeafStep(vtkDataSet* input, Leaf& leaf, std::size_t number, Results& result);
   void WarnAboutNonFinitePoints(const TimeStep& step, vtkDataSet* input);
   void UpdateEmptyDiagnosis();
   // Warns if the output will be large, judging by the slabs so far.
   void CheckSize();
+  // Adds the estimated size of the last slab to \a size.
+  void AddSize(SizeWarning::Size& size);
+  // Returns the values of the intervals, or of the region outside of them.
+  ExtractionValues MakeValues();
   /// Finds the scalars. If they are a cell array, sets \a input to a copy with the point array.
   Error FindScalars(vtkDataSet*& input, vtkDataArray*& scalars);
   std::string DescribeStep() const;
@@ -103,8 +112,8 @@ private:
   vtkAlgorithm* Owner;
   CellArrayConversion Conversion;
   std::vector<vtkIntervalList::Interval> Intervals;
-  ExtractionValues Values;
   TimeVaryingOptions Options;
+  ExtractionValues Values;
   std::vector<int> Steps;
   std::vector<double> Times;
   SizeWarning Size;
@@ -118,6 +127,8 @@ private:
   // If true, the previous slab had a nonzero duration, so the next slab shares points with it.
   bool IsJoined = false;
   std::vector<std::unique_ptr<Leaf>> Leaves;
+  // The regions outside of the intervals that a union adds, one for each criterion.
+  std::vector<std::unique_ptr<TimeVaryingRun>> Parts;
   EmptyOutputDiagnosis Empty;
   std::vector<std::string> Warnings;
   // If true, one of the warnings is about non-finite coordinates. Only the first such step is

@@ -28,6 +28,15 @@ using namespace reference;
 const std::vector<double> Times = { 0, 1, 1.75 };
 const TimeVaryingSettings Settings = { { { 0.3, 0.6 } } };
 
+/// Returns settings for the union of an interval of each array.
+TimeVaryingSettings MakeUnion()
+{
+  TimeVaryingSettings settings = Settings;
+  settings.Criteria = { { "g", 0.4, 0.7 } };
+  settings.CriteriaOperation = vtkTimeVaryingIntervalVolume::UNION;
+  return settings;
+}
+
 /// Returns the time steps of each leaf of a composite dataset.
 std::vector<TimeSteps> MakeLeaves()
 {
@@ -39,6 +48,7 @@ std::vector<TimeSteps> MakeLeaves()
   leaves.push_back(RepeatGrid(MakeImage({ 2, 3, 2 }), Times));
   for (size_t i = 0; i < leaves.size(); ++i)
   {
+    AddRandomTimeField(leaves[i], static_cast<unsigned int>(i + leaves.size()), "g");
     AddRandomTimeField(leaves[i], static_cast<unsigned int>(i));
   }
   return leaves;
@@ -72,7 +82,7 @@ vtkSmartPointer<vtkDataObjectTree> MakeCollection(const Leaf& leaf)
   return collection;
 }
 
-void CheckTree(const Tree& tree, Check& check)
+void CheckTree(const Tree& tree, const TimeVaryingSettings& settings, Check& check)
 {
   const std::vector<TimeSteps> leaves = MakeLeaves();
   TimeSteps steps;
@@ -86,7 +96,7 @@ void CheckTree(const Tree& tree, Check& check)
   source->SetSteps(steps);
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
-  Apply(Settings, filter);
+  Apply(settings, filter);
   filter->Update();
   check.That(source->GetMaximumStepsInMemory() <= 2, "at most two steps exist at a time");
   vtkDataObjectTree* outputs[3];
@@ -117,7 +127,7 @@ void CheckTree(const Tree& tree, Check& check)
       }
       cells += 2 * GetDataSet(leaf.front())->GetNumberOfCells();
       ++compared;
-      const TimeVaryingExtraction expected = ExtractTimeVarying(leaf, Settings);
+      const TimeVaryingExtraction expected = ExtractTimeVarying(leaf, settings);
       vtkUnstructuredGrid* const grids[3] = { expected.Tetrahedra, expected.Boundaries,
         expected.Simplices };
       check.That(grids[2]->GetNumberOfCells() > 0, "the leaf has 4-simplices");
@@ -178,8 +188,11 @@ void CheckChange(Check& check)
 int TestTimeVaryingComposite(int, char*[])
 {
   Check check;
-  CheckTree(MakeMultiBlock, check);
-  CheckTree(MakeCollection, check);
+  for (const TimeVaryingSettings& settings : { Settings, MakeUnion() })
+  {
+    CheckTree(MakeMultiBlock, settings, check);
+    CheckTree(MakeCollection, settings, check);
+  }
   CheckChange(check);
   return check.Result();
 }

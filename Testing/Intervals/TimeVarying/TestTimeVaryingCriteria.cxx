@@ -32,24 +32,16 @@ using Filter = vtkTimeVaryingIntervalVolume;
 
 const std::vector<double> Times = { 1.0, 1.5, 4.0 };
 
-struct Criterion
-{
-  const char* Array;
-  double Lower;
-  double Upper;
-};
+using Criterion = Range;
 
 TimeVaryingExtraction Extract(const TimeSteps& steps, const std::vector<Interval>& intervals,
   const std::vector<Criterion>& criteria, int operation = Filter::INTERSECTION)
 {
   TimeVaryingSettings settings;
   settings.Intervals = intervals;
+  settings.Criteria = criteria;
+  settings.CriteriaOperation = operation;
   const TimeVaryingPipeline pipeline(steps, settings);
-  for (const Criterion& criterion : criteria)
-  {
-    pipeline.Filter->AddCriterion(criterion.Array, criterion.Lower, criterion.Upper);
-  }
-  pipeline.Filter->SetCriteriaOperation(operation);
   pipeline.Filter->WarnOnEmptyOutputOff();
   pipeline.Filter->Update();
   const auto output = [&](int port)
@@ -125,6 +117,15 @@ void CheckLinear(const NamedGrid& grid, Check& check)
   check.SetContext(grid.Name + ", linear, difference");
   CheckMeasure(Extract(steps, { interval }, { { "g", g[0], g[1] } }, Filter::DIFFERENCE),
     width * (3.0 * lengths[1] - area) * lengths[2], domain, check, true);
+  check.SetContext(grid.Name + ", linear, union");
+  const double outside = (lengths[0] - width) * lengths[2];
+  CheckMeasure(Extract(steps, { interval }, { { "g", g[0], g[1] } }, Filter::UNION),
+    3.0 * width * lengths[1] * lengths[2] + outside * area, domain, check, true);
+  check.SetContext(grid.Name + ", linear, union with two criteria");
+  CheckMeasure(
+    Extract(steps, { interval }, { { "g", g[0], g[1] }, { "h", h[0], h[1] } }, Filter::UNION),
+    3.0 * width * lengths[1] * lengths[2] + outside * (area + 0.3 * (3.0 * lengths[1] - area)),
+    domain, check, true);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> SliceAt(vtkUnstructuredGrid* simplices, double time)
@@ -153,16 +154,27 @@ void CheckSlices(const NamedGrid& grid, Check& check)
     AddDriftingField(steps, 0.15, 32, "f");
     return steps;
   };
-  const TimeVaryingExtraction found =
-    Extract(at(Times), { { { 0.4, 0.9 } } }, { { "g", -0.1, 0.4 } });
+  const std::vector<Interval> intervals = { { { 0.4, 0.9 } } };
+  const std::vector<Criterion> criteria = { { "g", -0.1, 0.4 } };
+  const TimeVaryingExtraction found = Extract(at(Times), intervals, criteria);
+  const TimeVaryingExtraction united = Extract(at(Times), intervals, criteria, Filter::UNION);
   const double scale = static_cast<double>(MeshVolume(grid.Data));
   for (const double time : { 1.0, 1.2, 1.5, 2.0, 3.3, 4.0 })
   {
-    const double expected = static_cast<double>(
-      ClippedVolume(GetDataSet(at({ time }).front()), { { "f", 0.4, 0.9 }, { "g", -0.1, 0.4 } }));
-    check.Near(static_cast<double>(MeasureTetrahedra(SliceAt(found.Simplices, time)).Sum), expected,
-      1e-12, "volume at time " + std::to_string(time), scale);
-    check.That(expected > 0.001 * scale, "there is volume at time " + std::to_string(time));
+    const TimeSteps step = at({ time });
+    const auto clip = [&step](const std::vector<Range>& ranges)
+    { return static_cast<double>(ClippedVolume(GetDataSet(step.front()), ranges)); };
+    const double f = clip({ { "f", 0.4, 0.9 } });
+    const double g = clip({ { "g", -0.1, 0.4 } });
+    const double both = clip({ { "f", 0.4, 0.9 }, { "g", -0.1, 0.4 } });
+    const auto expect = [&](vtkUnstructuredGrid* simplices, double expected, const char* name)
+    {
+      check.Near(static_cast<double>(MeasureTetrahedra(SliceAt(simplices, time)).Sum), expected,
+        1e-12, "volume of " + std::string(name) + " at time " + std::to_string(time), scale);
+    };
+    expect(found.Simplices, both, "the intersection");
+    expect(united.Simplices, f + g - both, "the union");
+    check.That(both > 0.001 * scale, "there is volume at time " + std::to_string(time));
   }
 }
 
@@ -250,7 +262,7 @@ void CheckParts(const NamedGrid& grid, const TimeSteps& steps, const Criterion& 
 void CheckSteps(
   const TimeSteps& steps, const Criterion& criterion, const Interval& interval, Check& check)
 {
-  for (const int operation : { Filter::INTERSECTION, Filter::DIFFERENCE })
+  for (const int operation : { Filter::INTERSECTION, Filter::UNION, Filter::DIFFERENCE })
   {
     const TimeVaryingExtraction found = Extract(steps, { interval }, { criterion }, operation);
     for (const TimeStep& step : steps)
@@ -269,6 +281,53 @@ void CheckSteps(
           std::to_string(step.Time),
         1.0);
     }
+  }
+}
+
+/// The union of intervals and a criterion that is satisfied everywhere is the domain. A union keeps
+/// the intervals and their surfaces, and the region outside of them has the IntervalId -1. \a gaps
+/// is that region without the criterion, or empty if values equal its bounds.
+void CheckUnion(const NamedGrid& grid, const TimeSteps& steps, const Criterion& criterion,
+  const std::vector<Interval>& intervals, const std::vector<Interval>& gaps, Check& check)
+{
+  const TimeVaryingExtraction all = Extract(steps, intervals, {});
+  const TimeVaryingExtraction both = Extract(steps, intervals, { criterion }, Filter::UNION);
+  const double scale = Measure(all);
+  double expected = scale;
+  if (gaps.empty())
+  {
+    expected = Measure(both);
+  }
+  else
+  {
+    expected += Measure(Extract(steps, gaps, { criterion }));
+  }
+  CheckMeasure(both, expected, scale, check);
+  check.That(expected > scale, "there is a region outside of the intervals");
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+  {
+    const int item = static_cast<int>(i);
+    check.Near(static_cast<double>(MeasureSimplices(both.Simplices, item).Sum),
+      static_cast<double>(MeasureSimplices(all.Simplices, item).Sum), 1e-12, "interval", scale);
+  }
+  for (int kind = 0; kind < Filter::VOLUME_AT_START; ++kind)
+  {
+    check.Equal(both.Report->GetCount("Boundaries", kind), all.Report->GetCount("Boundaries", kind),
+      "boundary cells of kind " + std::to_string(kind));
+  }
+  double ids[2];
+  for (vtkUnstructuredGrid* output : { both.Tetrahedra, both.Boundaries, both.Simplices })
+  {
+    output->GetCellData()->GetArray("IntervalId")->GetRange(ids);
+    check.Equal(static_cast<long long>(ids[0]), -1, "IntervalId of the region outside");
+  }
+  if (HasBoxDomain(grid.Data))
+  {
+    double box[6];
+    grid.Data->GetBounds(box);
+    const double domain = 3.0 * (box[1] - box[0]) * (box[3] - box[2]) * (box[5] - box[4]);
+    CheckMeasure(Extract(steps, intervals, { criterion, { "g", -9.0, 9.0 } }, Filter::UNION),
+      domain, domain, check);
   }
 }
 
@@ -309,12 +368,16 @@ void CheckRandom(const NamedGrid& grid, Check& check)
   AddRandomTimeField(steps, 11, "f");
   CheckParts(grid, steps, { "g", 0.3, 0.8 }, { { { 0.2, 0.5 } }, { { 0.5, 0.9 } } }, check);
   CheckSteps(steps, { "g", 0.3, 0.8 }, { { 0.2, 0.5 } }, check);
+  CheckUnion(grid, steps, { "g", 0.3, 0.8 }, { { { 0.2, 0.5 } }, { { 0.5, 0.9 } } },
+    { { { -9.0, 0.2 } }, { { 0.9, 9.0 } } }, check);
   check.SetContext(grid.Name + ", ties");
   AddIntegerTimeField(steps, 3, 14, "g");
   AddIntegerTimeField(steps, 3, 13, "f");
   CheckParts(grid, steps, { "g", 0.0, 1.0 }, { { { 0.0, 1.0 } } }, check);
   CheckParts(grid, steps, { "g", 1.0, 2.0 }, { { { 0.5, 2.0 } } }, check);
   CheckParts(grid, steps, { "g", 0.5, 1.0 }, { { { 0.0, 1.5 } } }, check);
+  CheckUnion(grid, steps, { "g", 0.5, 1.5 }, { { { 0.0, 1.0 } }, { { 2.0, 2.0 } } }, {}, check);
+  CheckUnion(grid, steps, { "g", 1.0, 2.0 }, { { { 0.5, 1.0 } } }, {}, check);
   for (const Criterion& criterion : { Criterion{ "g", 0.0, 1.0 }, Criterion{ "g", 1.0, 7.0 },
          Criterion{ "g", 2.0, 2.0 }, Criterion{ "g", 0.5, 1.5 } })
   {
@@ -351,8 +414,8 @@ void CheckBoundaries(Check& check)
   TimeVaryingSettings settings;
   settings.Intervals = { { { 0.2, 0.8 } } };
   settings.Boundaries = settings.Tetrahedra = settings.Simplices = false;
+  settings.Criteria = { { "g", 0.3, 0.7 } };
   const TimeVaryingPipeline pipeline(steps, settings);
-  pipeline.Filter->AddCriterion("g", 0.3, 0.7);
   pipeline.Filter->GenerateBoundaryOn(Filter::LOWER_SURFACE_IN_TIME);
   pipeline.Filter->Update();
   auto* alone = vtkUnstructuredGrid::SafeDownCast(pipeline.Filter->GetOutputDataObject(1));
@@ -387,6 +450,8 @@ void CheckCellArray(Check& check)
   GetDataSet(steps.front())->GetBounds(box);
   const double domain = 3.0 * (box[1] - box[0]) * (box[3] - box[2]) * (box[5] - box[4]);
   check.Near(Measure(found), 0.5 * domain, 1e-12, "half of the domain", domain);
+  check.Near(Measure(Extract(steps, { { { 2.0, 3.0 } } }, { { "side", 0.5, 1.0 } }, Filter::UNION)),
+    0.5 * domain, 1e-12, "half of the domain in a union", domain);
 }
 
 void CheckMessages(Check& check)
@@ -395,14 +460,15 @@ void CheckMessages(Check& check)
   AddRandomTimeField(steps, 2, "g");
   AddRandomTimeField(steps, 1, "f");
   const auto expect = [&](const std::string& name, const Criterion& criterion, int operation,
-                        const std::string& message, unsigned long event)
+                        const std::string& message, unsigned long event,
+                        const Interval& interval = { { 0.2, 0.8 } })
   {
     check.SetContext("message, " + name);
     TimeVaryingSettings settings;
-    settings.Intervals = { { { 0.2, 0.8 } } };
+    settings.Intervals = { interval };
+    settings.Criteria = { criterion };
+    settings.CriteriaOperation = operation;
     const TimeVaryingPipeline pipeline(steps, settings);
-    pipeline.Filter->AddCriterion(criterion.Array, criterion.Lower, criterion.Upper);
-    pipeline.Filter->SetCriteriaOperation(operation);
     vtkNew<vtkTest::ErrorObserver> observer;
     pipeline.Filter->AddObserver(vtkCommand::ErrorEvent, observer);
     pipeline.Filter->AddObserver(vtkCommand::WarningEvent, observer);
@@ -412,8 +478,9 @@ void CheckMessages(Check& check)
       message);
     check.Equal(pipeline.Filter->GetOutput()->GetNumberOfCells(), 0, "the output is empty");
   };
-  expect("union", { "g", 0.2, 0.4 }, Filter::UNION, "UNION is not available over time",
-    vtkCommand::ErrorEvent);
+  expect("empty union", { "g", 7.0, 8.0 }, Filter::UNION,
+    "the interval [2, 3] or satisfies a criterion at any time", vtkCommand::WarningEvent,
+    { { 2.0, 3.0 } });
   expect("reserved name", { "Time", 0.2, 0.4 }, Filter::INTERSECTION, "\"Time\" of a criterion",
     vtkCommand::ErrorEvent);
   expect("missing", { "q", 0.2, 0.4 }, Filter::INTERSECTION, "\"q\"", vtkCommand::ErrorEvent);

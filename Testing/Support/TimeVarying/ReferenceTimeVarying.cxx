@@ -20,6 +20,12 @@ void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* fi
   filter->SetGenerateBoundaries(settings.Boundaries);
   filter->SetGenerateSimplices(settings.Simplices);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->RemoveAllCriteria();
+  for (const Range& range : settings.Criteria)
+  {
+    filter->AddCriterion(range.Array, range.Lower, range.Upper);
+  }
+  filter->SetCriteriaOperation(settings.CriteriaOperation);
 }
 
 TimeVaryingPipeline::TimeVaryingPipeline(

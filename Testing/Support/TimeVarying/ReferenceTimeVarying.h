@@ -3,6 +3,7 @@
 #define ReferenceTimeVarying_h
 
 #include "Support/Intervals/ReferenceExtraction.h"  // for the intervals
+#include "Support/Meshes/ReferenceVolume.h"         // for the criteria
 #include "Support/TimeVarying/ReferenceTemporal.h"  // for the source
 #include "Support/TimeVarying/ReferenceTimeSteps.h" // for the steps
 
@@ -24,6 +25,8 @@ struct TimeVaryingSettings
   bool Tetrahedra = true;
   bool Boundaries = true;
   bool Simplices = true;
+  std::vector<Range> Criteria = {};
+  int CriteriaOperation = vtkIntervalAlgorithm::INTERSECTION;
 };
 
 void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* filter);
