@@ -186,8 +186,9 @@ def set_value(display, name, value):
         setattr(display, name, value)
 
 
-def check_control(checks, source, representation, name, value, first):
-    view = plain_view()
+def check_control(checks, source, view, images, representation, name, value, first):
+    """Compares with the image before the change. Controls with the same settings before share it in images."""
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0, 1], [0, 0, 0], [0, 1, 0]
     display = simple.Show(source, view)
     display.SetRepresentationType(representation)
     if source.PointData["value"]:
@@ -195,28 +196,34 @@ def check_control(checks, source, representation, name, value, first):
     for key, setting in first.items():
         set_value(display, key, setting)
     look_at(view)
-    before = snapshot(view)
+    settings = repr(first)
+    if settings not in images:
+        images[settings] = snapshot(view)
+    before = images[settings]
     set_value(display, name, value)
     change = numpy.abs(snapshot(view) - before).max()
     checks.that(change > 0, f"{representation}, {name} changes the image")
     checks.that(before.max() > 0, f"{representation}, {name}, the image before is not empty")
-    simple.Delete(view)
+    simple.Delete(display)
 
 
 def main(checks):
     for representation, (make, values) in CASES.items():
         source = make_source(make)
         view = plain_view()
+        view.ViewSize = [150, 150]
         display = simple.Show(source, view)
         display.SetRepresentationType(representation)
         if display.SMProxy.GetProperty("Translation"):
             values["Translation"] = values.pop("Position")  # the name in ParaView 5.12 or later
         shown = controls(display, representation) - NOT_VISIBLE
-        simple.Delete(view)
+        simple.Delete(display)
         checks.equal(sorted(shown - set(values)), [], f"{representation}, controls without effect")
         checks.equal(sorted(set(values) - shown), [], f"{representation}, hidden controls")
+        images = {}
         for name in sorted(shown & set(values) - TESTED_IN_OTHER_SCRIPTS):
-            check_control(checks, source, representation, name, *values[name])
+            check_control(checks, source, view, images, representation, name, *values[name])
+        simple.Delete(view)
 
 
 run(main)
