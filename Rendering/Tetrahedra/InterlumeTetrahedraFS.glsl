@@ -64,23 +64,21 @@ uniform vec3 lightColors[MAXIMUM_LIGHTS];
 uniform vec3 normalRows[3];
 #ifdef SURFACE_MATERIALS
 // Four vectors for each material: color, coefficients, specular color, and the texture's first
-// pixel, width, height and whether it is repeated. The width is 0 without a texture. The first
-// pixel is the number in the fourth vector plus 4096 times the number after the specular color.
+// pixel, width, height and number of levels, which is negative if it is not repeated. The width is
+// 0 without a texture. The first pixel is the number in the fourth vector plus 4096 times the
+// number after the specular color.
 uniform samplerBuffer surfaceMaterials;
 uniform samplerBuffer surfacePixels;
 // 1 plus the number of the material that shade() uses.
 float shadedFace;
 
-vec4 sampleTexture(float pages, vec4 image, vec2 position)
+vec4 sampleLevel(int start, vec2 size, bool isRepeated, vec2 position)
 {
-  bool isRepeated = image.w > 0.0;
-  vec2 size = image.yz;
   vec2 at = (isRepeated ? fract(position) : clamp(position, 0.0, 1.0)) * size - 0.5;
   vec2 first = floor(at);
   vec4 ends = vec4(first, first + 1.0);
   ends = isRepeated ? mod(ends + size.xyxy, size.xyxy) : clamp(ends, vec4(0.0), size.xyxy - 1.0);
   ivec4 pixels = ivec4(ends + 0.5);
-  int start = int(image.x) + 4096 * int(pages);
   int width = int(size.x);
   vec2 share = at - first;
   vec4 low = mix(texelFetch(surfacePixels, start + pixels.y * width + pixels.x),
@@ -88,6 +86,28 @@ vec4 sampleTexture(float pages, vec4 image, vec2 position)
   vec4 high = mix(texelFetch(surfacePixels, start + pixels.w * width + pixels.x),
     texelFetch(surfacePixels, start + pixels.w * width + pixels.z), share.x);
   return mix(low, high, share.y);
+}
+
+// The columns of change are the changes of the position to the next pixels along x and y.
+vec4 sampleTexture(float pages, vec4 image, vec2 position, mat2 change)
+{
+  bool isRepeated = image.w > 0.0;
+  int start = int(image.x) + 4096 * int(pages);
+  vec2 size = image.yz;
+  float texels = max(length(change[0] * size), length(change[1] * size));
+  float level = texels > 1.0 ? min(log2(texels), abs(image.w) - 1.0) : 0.0;
+  for (float before = 1.0; before <= level; before += 1.0)
+  {
+    start += int(size.x * size.y);
+    size = max(floor(0.5 * size), 1.0);
+  }
+  vec4 color = sampleLevel(start, size, isRepeated, position);
+  float share = fract(level);
+  return share == 0.0
+    ? color
+    : mix(color,
+        sampleLevel(start + int(size.x * size.y), max(floor(0.5 * size), 1.0), isRepeated, position),
+        share);
 }
 #else
 uniform vec4 surfaceColor;
@@ -98,11 +118,8 @@ uniform vec3 specularColor;
 // Change of eye x and y along a view ray, per unit of depth.
 uniform vec2 tilt;
 #endif
-#ifdef SURFACE_TEXTURE
-uniform sampler2D surfaceTexture;
-#endif
 
-vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition)
+vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition, mat2 textureChange)
 {
 #ifdef SURFACE_MATERIALS
   int material = 4 * (int(shadedFace + 0.5) - 1);
@@ -111,12 +128,9 @@ vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition)
   vec4 third = texelFetch(surfaceMaterials, material + 2);
   vec3 specularColor = third.rgb;
   vec4 image = texelFetch(surfaceMaterials, material + 3);
-  surfaceColor *= image.y > 0.0 ? sampleTexture(third.w, image, texturePosition) : vec4(1.0);
+  surfaceColor *= image.y > 0.0 ? sampleTexture(third.w, image, texturePosition, textureChange) : vec4(1.0);
 #endif
   vec4 base = surfaceColor;
-#ifdef SURFACE_TEXTURE
-  base *= texture(surfaceTexture, texturePosition);
-#endif
 #ifdef PERSPECTIVE
   vec3 eye = vec3(getEye(), -1.0) / depth;
 #else
@@ -217,6 +231,22 @@ vec4 evaluate(int piece, float f)
     texelFetch(pieces, 2 * piece + 1) * (f - texelFetch(starts, piece).x);
 }
 #endif
+#endif
+
+#ifdef SURFACE
+// Returns the changes of texture coordinates to the next pixels along x and y. The position is that
+// before the division by depth in perspective. slope is the change of lambda.
+mat2 getTextureChange(vec2 position, float depth, vec2 slope)
+{
+  vec2 s = texturePlane[0].yz + slope * texturePlane[0].w;
+  vec2 t = texturePlane[1].yz + slope * texturePlane[1].w;
+#ifdef PERSPECTIVE
+  vec2 change = depthPlane.yz + slope * depthPlane.w;
+  s = (s - position.x / depth * change) / depth;
+  t = (t - position.y / depth * change) / depth;
+#endif
+  return mat2(s.x, t.x, s.y, t.y);
+}
 #endif
 
 void main()
@@ -405,10 +435,11 @@ void main()
   // The edge that determines lambda also determines the face on the other side.
   shares = mix(shares, vec4(1e30), vec4(equal(abs(edgesX) + abs(edgesY), vec4(0.0))));
   float least = min(min(shares.x, shares.y), min(shares.z, shares.w));
-  float otherFace = least == shares.x ? otherFaces.x
-    : least == shares.y               ? otherFaces.y
-    : least == shares.z               ? otherFaces.z
-                                      : otherFaces.w;
+  vec4 isLeast = vec4(equal(shares, vec4(least)));
+  isLeast.yzw *= 1.0 - isLeast.x;
+  isLeast.zw *= 1.0 - isLeast.y;
+  isLeast.w *= 1.0 - isLeast.z;
+  float otherFace = dot(otherFaces, isLeast);
   vec2 isFace = baseIsBack ? vec2(otherFace, baseFace) : vec2(baseFace, otherFace);
   if (isFace.x > 0.0 || (isFace.y > 0.0 && !isCut))
   {
@@ -417,6 +448,9 @@ void main()
       baseNormal + lambda * vec3(normalPlane[0].w, normalPlane[1].w, normalPlane[2].w);
     vec2 baseTexturePosition = vec2(dot(texturePlane[0].xyz, plane), dot(texturePlane[1].xyz, plane));
     vec2 otherTexturePosition = baseTexturePosition + lambda * vec2(texturePlane[0].w, texturePlane[1].w);
+    vec2 slope = vec2(dot(edgesX, isLeast), dot(edgesY, isLeast));
+    mat2 baseChange = getTextureChange(baseTexturePosition, baseDepth, vec2(0.0));
+    mat2 otherChange = getTextureChange(otherTexturePosition, otherDepth, slope);
     if (isFace.y > 0.0 && !isCut)
     {
 #ifdef SURFACE_MATERIALS
@@ -424,7 +458,8 @@ void main()
 #endif
       vec4 behind = shade(baseIsBack ? baseDepth : otherDepth,
         (baseIsBack ? baseNormal : otherNormal) * weight.y,
-        (baseIsBack ? baseTexturePosition : otherTexturePosition) * weight.y);
+        (baseIsBack ? baseTexturePosition : otherTexturePosition) * weight.y,
+        baseIsBack ? baseChange : otherChange);
       result += (1.0 - result.a) * behind;
     }
     if (isFace.x > 0.0)
@@ -434,7 +469,8 @@ void main()
 #endif
       vec4 before = shade(baseIsBack ? otherDepth : baseDepth,
         (baseIsBack ? otherNormal : baseNormal) * weight.x,
-        (baseIsBack ? otherTexturePosition : baseTexturePosition) * weight.x);
+        (baseIsBack ? otherTexturePosition : baseTexturePosition) * weight.x,
+        baseIsBack ? otherChange : baseChange);
       result = before + (1.0 - before.a) * result;
     }
   }

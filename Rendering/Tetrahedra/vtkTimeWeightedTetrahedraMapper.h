@@ -275,7 +275,8 @@ public:
   ///@{
   /**
    * Set/Get the texture of the boundary triangles. Its color and opacity multiply those of the
-   * property. Ignored if the boundary has no texture coordinates. Default none.
+   * property. It is interpolated. If it uses mipmaps, details smaller than a pixel fade to their
+   * mean, weighted by opacity. Ignored if the boundary has no texture coordinates. Default none.
    */
   void SetBoundaryTexture(vtkTexture* texture);
   vtkTexture* GetBoundaryTexture() const;

@@ -297,6 +297,103 @@ void TestTexture(Check& check, int path, bool parallel)
   check.That(seen[0] > 500 && seen[1] > 500, name + ": both halves are visible");
 }
 
+/// A texture of a ramp along x with a checkerboard of single pixels.
+struct Checkerboard
+{
+  std::array<int, 2> Dimensions;
+
+  static constexpr double First = 0.25;
+  static constexpr double Rise = 0.5;
+  static constexpr double Contrast = 0.2;
+
+  vtkSmartPointer<vtkTexture> MakeTexture() const
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(this->Dimensions[0], this->Dimensions[1], 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    for (const auto& [j, i] : AllIndices(this->Dimensions[1], this->Dimensions[0]))
+    {
+      const double value =
+        First + Rise * (i + 0.5) / this->Dimensions[0] + ((i + j) % 2 == 0 ? Contrast : -Contrast);
+      *static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0)) =
+        static_cast<unsigned char>(std::lround(255.0 * value));
+    }
+    auto texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetInputData(image);
+    texture->RepeatOff();
+    texture->InterpolateOn();
+    texture->MipmapOn();
+    return texture;
+  }
+
+  /// Returns the value between pixel centers, \a texels from pixel to pixel of the screen.
+  /// Interpolation to the next mipmap level removes the checkerboard.
+  double GetValue(const std::array<double, 2>& at, double texels) const
+  {
+    double wave = Contrast * std::max(0.0, 1.0 - std::max(0.0, std::log2(texels)));
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double x = at[axis] * this->Dimensions[axis] - 0.5;
+      wave *= std::abs(2.0 * (x - 2.0 * std::floor(0.5 * x) - 1.0)) - 1.0;
+    }
+    return First + Rise * at[0] + wave;
+  }
+};
+
+/// Tests that details of a texture that are smaller than a pixel fade to their mean.
+void TestMipmaps(Check& check, int path, bool parallel, const Point3& direction)
+{
+  const ImageCase what = MakeCase(MakeLayers(4, { 0.0, 0.5, 1.0 }),
+    MakeProperty({ { 0.0, { { 1.0, 1.0, 1.0 } }, 0.0 } }), direction, parallel, Size);
+  auto midplane = MakeMidplane(what.Grid);
+  MakeTexture(midplane);
+  const PixelRays rays(what.Camera, Size);
+  const auto locate = [&rays](int i, int j)
+  {
+    const Ray ray = rays.Get(i, j);
+    const Real distance = (Real(0.5) - ray.Origin[2]) / ray.Direction[2];
+    return std::array<double, 2>{ { static_cast<double>(
+                                      ray.Origin[0] + distance * ray.Direction[0]),
+      static_cast<double>(ray.Origin[1] + distance * ray.Direction[1]) } };
+  };
+  std::array<int, 3> seen{};
+  for (const Checkerboard& board : { Checkerboard{ { { 24, 20 } } }, Checkerboard{ { { 77, 64 } } },
+         Checkerboard{ { { 301, 190 } } } })
+  {
+    Surface surface(path, midplane, 1.0, { { 1.0, 1.0, 1.0 } });
+    surface.Drawer->SetBoundaryTexture(board.MakeTexture());
+    const RgbaImage found = DrawByMapper(surface.Drawer, what);
+    const std::string name =
+      GetName(path, parallel) + ", mipmaps of " + std::to_string(board.Dimensions[0]) + " pixels";
+    double largest = 0.0;
+    for (int j = 1; j + 1 < Size[1]; ++j)
+    {
+      for (int i = 1; i + 1 < Size[0]; ++i)
+      {
+        const std::array<double, 2> at = locate(i, j);
+        const auto getTexels = [&](int di, int dj)
+        {
+          const auto before = locate(i - di, j - dj);
+          const auto after = locate(i + di, j + dj);
+          return 0.5 *
+            std::hypot((after[0] - before[0]) * board.Dimensions[0],
+              (after[1] - before[1]) * board.Dimensions[1]);
+        };
+        const double texels = std::max(getTexels(1, 0), getTexels(0, 1));
+        if (std::min(at[0], at[1]) > 0.1 && std::max(at[0], at[1]) < 0.9)
+        {
+          ++seen[texels <= 1.0 ? 0 : texels < 2.0 ? 1 : 2];
+          KeepLargest(largest, std::abs(found.At(i, j)[0] - board.GetValue(at, texels)));
+        }
+      }
+    }
+    std::cout << name << ": " << largest << "\n";
+    check.Near(largest, 0.0, 2e-3, name, 1.0);
+  }
+  check.That(*std::min_element(seen.begin(), seen.end()) > 300,
+    GetName(path, parallel) + ": pixels for all kinds of levels");
+}
+
 /// Tests color and alpha of a slab from z = 0 to 1 with boundary triangles at z = 1/2. If \a cut is
 /// not negative, the view is along z and the near plane is at z = \a cut.
 void TestSlab(Check& check, int path, bool parallel, const Point3& direction, double opacity,
@@ -849,6 +946,8 @@ int TestTetrahedraMapperSurface(int, char*[])
     {
       TestOpaque(check, path, parallel);
       TestTexture(check, path, parallel);
+      TestMipmaps(check, path, parallel, FaceOn);
+      TestMipmaps(check, path, parallel, { { 0.5, -0.4, 1.0 } });
       TestFaces(check, path, parallel);
       TestMaterials(check, path, parallel, FaceOn);
       TestMaterials(check, path, parallel, { { 0.2, 0.1, -1.0 } });

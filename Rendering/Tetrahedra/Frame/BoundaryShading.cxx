@@ -28,6 +28,80 @@ glm::dvec3 Normalized(const glm::dvec3& v)
   return length > 0.0 ? v / length : v;
 }
 
+// Part of a pixel of a mipmap level that a pixel of the level before covers, along one axis.
+struct Share
+{
+  int Pixel;
+  float Weight;
+};
+
+// Returns the pixels, of \a before along an axis, that pixel \a i of \a after covers.
+std::vector<Share> FindShares(int i, int before, int after)
+{
+  const double size = static_cast<double>(before) / after;
+  std::vector<Share> shares;
+  for (int p = static_cast<int>(i * size); p < before && p < (i + 1) * size; ++p)
+  {
+    const double covered = std::min(p + 1.0, (i + 1) * size) - std::max<double>(p, i * size);
+    shares.push_back({ p, static_cast<float>(covered / size) });
+  }
+  return shares;
+}
+
+// Returns the mean color of pixels, weighted by opacity.
+BoundaryShading::Color GetMean(const BoundaryShading::Color* pixels, int width,
+  const std::vector<Share>& columns, const std::vector<Share>& rows)
+{
+  BoundaryShading::Color sum{};
+  for (const Share& row : rows)
+  {
+    for (const Share& column : columns)
+    {
+      const BoundaryShading::Color& pixel =
+        pixels[static_cast<std::size_t>(row.Pixel) * width + column.Pixel];
+      const float weight = row.Weight * column.Weight;
+      for (int c = 0; c < 3; ++c)
+      {
+        sum[c] += weight * pixel[3] * pixel[c];
+      }
+      sum[3] += weight * pixel[3];
+    }
+  }
+  for (int c = 0; c < 3 && sum[3] > 0.0f; ++c)
+  {
+    sum[c] /= sum[3];
+  }
+  return sum;
+}
+
+// Appends the mipmap levels to an image, and returns their number with that of the image.
+int AppendLevels(int width, int height, std::vector<BoundaryShading::Color>& pixels)
+{
+  int levels = 1;
+  for (std::size_t first = 0; width > 1 || height > 1; ++levels)
+  {
+    const int nextWidth = std::max(width / 2, 1);
+    const int nextHeight = std::max(height / 2, 1);
+    std::vector<std::vector<Share>> columns;
+    for (int x = 0; x < nextWidth; ++x)
+    {
+      columns.push_back(FindShares(x, width, nextWidth));
+    }
+    for (int y = 0; y < nextHeight; ++y)
+    {
+      const std::vector<Share> rows = FindShares(y, height, nextHeight);
+      for (const std::vector<Share>& column : columns)
+      {
+        pixels.push_back(GetMean(&pixels[first], width, column, rows));
+      }
+    }
+    first += static_cast<std::size_t>(width) * height;
+    width = nextWidth;
+    height = nextHeight;
+  }
+  return levels;
+}
+
 }
 
 void BoundaryShading::Set(
@@ -182,10 +256,49 @@ void BoundaryShading::Image::Set(vtkTexture* texture)
       (*image)[i][3] = get(components - 1);
     }
   }
+  this->NumberOfLevels = texture->GetMipmap() ? AppendLevels(this->Width, this->Height, *image) : 1;
   this->Pixels = image;
 }
 
-BoundaryShading::Color BoundaryShading::Image::Sample(double u, double v) const
+BoundaryShading::Image::Level BoundaryShading::Image::GetLevel(int number) const
+{
+  Level level{ 0, this->Width, this->Height };
+  for (int i = 0; i < number; ++i)
+  {
+    level.First += static_cast<std::size_t>(level.Width) * level.Height;
+    level.Width = std::max(level.Width / 2, 1);
+    level.Height = std::max(level.Height / 2, 1);
+  }
+  return level;
+}
+
+BoundaryShading::Color BoundaryShading::Image::Sample(const TexturePosition& position) const
+{
+  if (this->NumberOfLevels == 1)
+  {
+    return this->SampleLevel(this->GetLevel(0), position.At);
+  }
+  const glm::dvec2 size(this->Width, this->Height);
+  const double step =
+    std::max(glm::length(position.ChangeX * size), glm::length(position.ChangeY * size));
+  const double level =
+    step > 1.0 ? std::min(std::log2(step), static_cast<double>(this->NumberOfLevels - 1)) : 0.0;
+  const int lower = static_cast<int>(level);
+  Color color = this->SampleLevel(this->GetLevel(lower), position.At);
+  const auto share = static_cast<float>(level - lower);
+  if (share > 0.0f)
+  {
+    const Color next = this->SampleLevel(this->GetLevel(lower + 1), position.At);
+    for (int c = 0; c < 4; ++c)
+    {
+      color[c] += share * (next[c] - color[c]);
+    }
+  }
+  return color;
+}
+
+BoundaryShading::Color BoundaryShading::Image::SampleLevel(
+  const Level& level, const glm::dvec2& at) const
 {
   // Bilinear interpolation between texel centers.
   const auto position = [this](double t, int size, int ends[2])
@@ -203,10 +316,10 @@ BoundaryShading::Color BoundaryShading::Image::Sample(double u, double v) const
   };
   int x[2];
   int y[2];
-  const float a = position(u, this->Width, x);
-  const float b = position(v, this->Height, y);
+  const float a = position(at[0], level.Width, x);
+  const float b = position(at[1], level.Height, y);
   const auto pixel = [&](int i, int j) -> const Color&
-  { return (*this->Pixels)[static_cast<std::size_t>(y[j]) * this->Width + x[i]]; };
+  { return (*this->Pixels)[level.First + static_cast<std::size_t>(y[j]) * level.Width + x[i]]; };
   Color color;
   for (int c = 0; c < 4; ++c)
   {
@@ -218,13 +331,13 @@ BoundaryShading::Color BoundaryShading::Image::Sample(double u, double v) const
 }
 
 BoundaryShading::Color BoundaryShading::Shade(const Material& material, const glm::dvec3& eye,
-  const glm::dvec3& normal, const std::array<double, 2>& textureCoordinates) const
+  const glm::dvec3& normal, const TexturePosition& texturePosition) const
 {
   Color base = material.Base;
   if (material.Texture >= 0)
   {
-    const Color texel = this->Images[static_cast<std::size_t>(material.Texture)].Sample(
-      textureCoordinates[0], textureCoordinates[1]);
+    const Color texel =
+      this->Images[static_cast<std::size_t>(material.Texture)].Sample(texturePosition);
     for (int c = 0; c < 4; ++c)
     {
       base[c] *= texel[c];

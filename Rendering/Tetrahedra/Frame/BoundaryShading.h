@@ -38,18 +38,30 @@ public:
     std::array<float, 3> Color;
   };
 
-  /// Image of a texture.
+  /// Texture coordinates at a pixel, and their changes to the next pixel along x and y.
+  struct TexturePosition
+  {
+    glm::dvec2 At;
+    glm::dvec2 ChangeX;
+    glm::dvec2 ChangeY;
+  };
+
+  /// Image of a texture, with mipmap levels if the texture uses mipmaps. Each level has half the
+  /// width and height, rounded down, of the level before.
   class Image
   {
   public:
     void Set(vtkTexture* texture);
-    Color Sample(double u, double v) const;
+    /// Returns the color at a position, interpolated in the two levels whose pixels are closest in
+    /// size to those of the screen.
+    Color Sample(const TexturePosition& position) const;
 
     bool IsEmpty() const { return this->Pixels->empty(); }
-    /// Returns the pixels, bottom row first.
+    /// Returns the pixels of all levels, the bottom row first.
     const std::vector<Color>& GetPixels() const { return *this->Pixels; }
     int GetWidth() const { return this->Width; }
     int GetHeight() const { return this->Height; }
+    int GetNumberOfLevels() const { return this->NumberOfLevels; }
     bool IsRepeated() const { return this->Repeated; }
     bool operator==(const Image& other) const
     {
@@ -57,11 +69,22 @@ public:
     }
 
   private:
+    /// A level of \a width x \a height pixels that begins at \a first.
+    struct Level
+    {
+      std::size_t First;
+      int Width;
+      int Height;
+    };
+    Level GetLevel(int number) const;
+    Color SampleLevel(const Level& level, const glm::dvec2& at) const;
+
     /// Copies of this object, which are used to detect changes, share the pixels.
     std::shared_ptr<const std::vector<Color>> Pixels = std::make_shared<const std::vector<Color>>();
     vtkMTimeType Time = 0;
     int Width = 0;
     int Height = 0;
+    int NumberOfLevels = 0;
     bool Repeated = false;
   };
 
@@ -99,18 +122,12 @@ public:
    * in mesh coordinates and may have any length and orientation.
    */
   Color Shade(const Material& material, const glm::dvec3& eye, const glm::dvec3& normal,
-    const std::array<double, 2>& textureCoordinates) const;
+    const TexturePosition& texturePosition) const;
 
   const std::vector<Light>& GetLights() const { return this->Lights; }
   const std::vector<Material>& GetMaterials() const { return this->Materials; }
   /// Returns the images of the materials, without repetition.
   const std::vector<Image>& GetImages() const { return this->Images; }
-  /// Returns the image of the first material, or null.
-  const Image* GetFirstImage() const
-  {
-    const int texture = this->Materials.front().Texture;
-    return texture < 0 ? nullptr : &this->Images[static_cast<std::size_t>(texture)];
-  }
   /// Returns the largest opacity of all materials.
   float GetLargestOpacity() const;
   /// Returns the 3 x 3 matrix from mesh to eye coordinates for normals, in row-major order.

@@ -66,15 +66,17 @@ std::vector<float> MakePoints(const TetrahedraMesh& mesh)
   return values;
 }
 
-/// Returns true if the boundary triangles have several materials.
+/// Returns true if the boundary triangles have several materials or a texture.
 bool HasMaterials(const TetrahedraFrame& frame)
 {
-  return frame.Surface && !frame.Fields->FaceMaterials.empty();
+  return frame.Surface &&
+    (!frame.Fields->FaceMaterials.empty() || !frame.Surface->GetImages().empty());
 }
 
 /// Returns four vectors for each material: color, coefficients, specular color and high part of the
 /// texture's first pixel in MakePixels(), and low part of this pixel, width (0 without a texture),
-/// height, and 1 if it is repeated. The high part counts 4096 pixels, since floats have 24 bits.
+/// height, and number of levels, negative if it is not repeated. The high part counts 4096 pixels,
+/// since floats have 24 bits.
 std::vector<float> MakeMaterials(const BoundaryShading& shading)
 {
   std::vector<std::size_t> firsts = { 0 };
@@ -98,7 +100,7 @@ std::vector<float> MakeMaterials(const BoundaryShading& shading)
     values.insert(values.end(),
       { static_cast<float>(firsts[texture] / 4096), static_cast<float>(firsts[texture] % 4096),
         static_cast<float>(image.GetWidth()), static_cast<float>(image.GetHeight()),
-        image.IsRepeated() ? 1.0f : 0.0f });
+        static_cast<float>(image.GetNumberOfLevels()) * (image.IsRepeated() ? 1.0f : -1.0f) });
   }
   return values;
 }
@@ -172,9 +174,7 @@ std::string OpenGLRasterizer::GetFeatures(const TetrahedraFrame& frame, bool has
   features += frame.IsExact ? " EXACT" : "";
   if (frame.Surface)
   {
-    features += HasMaterials(frame)    ? " SURFACE SURFACE_MATERIALS"
-      : frame.Surface->GetFirstImage() ? " SURFACE SURFACE_TEXTURE"
-                                       : " SURFACE";
+    features += HasMaterials(frame) ? " SURFACE SURFACE_MATERIALS" : " SURFACE";
   }
   features += frame.Order ? " ORDERED" : "";
   if (frame.Blend == TetrahedraFrame::MAXIMUM)
@@ -281,29 +281,15 @@ vtkIdType OpenGLRasterizer::UploadSurface(
   bytes += this->Upload(window, "surfacePoints", TextureBuffer::FLOAT4, points);
   if (HasMaterials(frame))
   {
-    std::vector<std::uint32_t> materials;
-    for (const std::array<unsigned char, 4>& of : fields.FaceMaterials)
+    std::vector<std::uint32_t> materials(fields.Faces.size(), 0);
+    for (std::size_t t = 0; t < fields.FaceMaterials.size(); ++t)
     {
-      materials.push_back(
-        of[0] | of[1] << 8 | of[2] << 16 | static_cast<std::uint32_t>(of[3]) << 24);
+      const std::array<unsigned char, 4>& of = fields.FaceMaterials[t];
+      materials[t] = of[0] | of[1] << 8 | of[2] << 16 | static_cast<std::uint32_t>(of[3]) << 24;
     }
     bytes += this->Upload(window, "faceMaterials", TextureBuffer::UINT, materials);
-    return bytes +
+    bytes +=
       this->Upload(window, "surfacePixels", TextureBuffer::FLOAT4, MakePixels(*frame.Surface));
-  }
-  if (const BoundaryShading::Image* image = frame.Surface->GetFirstImage())
-  {
-    vtkTextureObject* texture = this->SurfaceTexture;
-    texture->SetContext(window);
-    const int wrap = image->IsRepeated() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
-    texture->SetMinificationFilter(vtkTextureObject::Linear);
-    texture->SetMagnificationFilter(vtkTextureObject::Linear);
-    texture->SetWrapS(wrap);
-    texture->SetWrapT(wrap);
-    texture->Create2DFromRaw(static_cast<unsigned int>(image->GetWidth()),
-      static_cast<unsigned int>(image->GetHeight()), 4, VTK_FLOAT,
-      const_cast<float*>(image->GetPixels()[0].data()));
-    bytes += static_cast<vtkIdType>(image->GetPixels().size() * sizeof(BoundaryShading::Color));
   }
   return bytes;
 }
@@ -333,10 +319,6 @@ void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const Tetra
   program->SetUniform4f("surfaceColor", material.Base.data());
   program->SetUniform4f("surfaceCoefficients", material.Coefficients.data());
   program->SetUniform3f("specularColor", material.SpecularColor.data());
-  if (shading.GetFirstImage())
-  {
-    program->SetUniformi("surfaceTexture", this->SurfaceTexture->GetTextureUnit());
-  }
 }
 
 vtkIdType OpenGLRasterizer::UploadStrips()
@@ -528,11 +510,6 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
     return false;
   }
   this->ActivateBuffers(program);
-  const bool hasTexture = frame.Surface && !HasMaterials(frame) && frame.Surface->GetFirstImage();
-  if (hasTexture)
-  {
-    this->SurfaceTexture->Activate();
-  }
   if (frame.Surface)
   {
     this->SetSurfaceUniforms(program, frame);
@@ -546,10 +523,6 @@ bool OpenGLRasterizer::DrawLayer(vtkOpenGLRenderWindow* window, const Tetrahedra
   if (hasOpaque)
   {
     this->Depth->Deactivate();
-  }
-  if (hasTexture)
-  {
-    this->SurfaceTexture->Deactivate();
   }
   this->DeactivateBuffers();
   return true;
@@ -645,7 +618,6 @@ void OpenGLRasterizer::ReleaseGraphicsResources(vtkWindow* window)
     glDeleteBuffers(1, &this->Strips);
     this->Strips = 0;
   }
-  this->SurfaceTexture->ReleaseGraphicsResources(window);
   this->Sums->ReleaseGraphicsResources(window);
   this->Layers->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);

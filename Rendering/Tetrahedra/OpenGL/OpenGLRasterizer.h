@@ -96,7 +96,6 @@ private:
   std::vector<glm::dvec4> Planes;
   /// Texture buffers by uniform name.
   std::map<std::string, TextureBuffer> Buffers;
-  vtkNew<vtkTextureObject> SurfaceTexture;
   vtkNew<vtkTextureObject> Sums;
   /// The composite of the layers drawn so far (PRIORITY).
   vtkNew<vtkTextureObject> Layers;

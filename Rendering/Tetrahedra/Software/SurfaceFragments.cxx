@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Software/SurfaceFragments.h"
 
-#include "Frame/BoundaryShading.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -66,6 +64,41 @@ double SurfaceFragments::Locate(double x, double y, int& edge) const
   return std::max(0.0, std::min(minimum, 1.0));
 }
 
+BoundaryShading::TexturePosition SurfaceFragments::GetTexturePosition(
+  const std::array<double, CHANNELS>& at, double dx, double dy, int edge) const
+{
+  const bool isParallel = this->Frame.View.IsParallel();
+  const TetrahedronSilhouette::Slope& crease = this->Shape.GetCrease();
+  const bool isPastCrease = crease.X * dx + crease.Y * dy > 0.0;
+  // Returns the changes of a channel from pixel to pixel.
+  const auto getChanges = [&](int channel)
+  {
+    const Value& value = this->Values[channel];
+    glm::dvec2 change(value.Base.X, value.Base.Y);
+    if (isPastCrease)
+    {
+      change += value.Bend * glm::dvec2(crease.X, crease.Y);
+    }
+    if (edge >= 0)
+    {
+      const TetrahedronSilhouette::Slope& slope = this->Shape.GetEdge(edge);
+      change += value.Difference * glm::dvec2(slope.X, slope.Y);
+    }
+    return change;
+  };
+  const double weight = isParallel ? 1.0 : at[0];
+  const glm::dvec2 weightChanges = isParallel ? glm::dvec2(0.0) : getChanges(0);
+  BoundaryShading::TexturePosition position{};
+  for (int i = 0; i < 2; ++i)
+  {
+    position.At[i] = at[4 + i] / weight;
+    const glm::dvec2 changes = (getChanges(4 + i) - position.At[i] * weightChanges) / weight;
+    position.ChangeX[i] = changes.x;
+    position.ChangeY[i] = changes.y;
+  }
+  return position;
+}
+
 void SurfaceFragments::Compute(
   const Fragments& fragments, int left, int bottom, const float* opaque)
 {
@@ -121,12 +154,13 @@ void SurfaceFragments::Compute(
           continue;
         }
         const double weight = view.IsParallel() ? 1.0 : at[0];
+        const BoundaryShading::TexturePosition texture =
+          this->GetTexturePosition(at, dx, dy, isBase ? -1 : edge);
         const auto& materials = this->Frame.Fields->FaceMaterials;
         const std::size_t material = materials.empty() ? 0 : materials[r.Tetrahedron][face];
-        this->Colors[end][i] =
-          this->Frame.Surface->Shade(this->Frame.Surface->GetMaterials()[material],
-            view.GetEyeCoordinates(x, y, at[0]), { at[1] / weight, at[2] / weight, at[3] / weight },
-            { { at[4] / weight, at[5] / weight } });
+        this->Colors[end][i] = this->Frame.Surface->Shade(
+          this->Frame.Surface->GetMaterials()[material], view.GetEyeCoordinates(x, y, at[0]),
+          { at[1] / weight, at[2] / weight, at[3] / weight }, texture);
       }
     }
   }

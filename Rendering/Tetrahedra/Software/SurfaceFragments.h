@@ -2,6 +2,7 @@
 #ifndef interlume_SurfaceFragments_h
 #define interlume_SurfaceFragments_h
 
+#include "Frame/BoundaryShading.h"
 #include "Frame/TetrahedraFrame.h"
 #include "Software/Fragments.h"
 #include "Software/TileBins.h"
@@ -48,6 +49,11 @@ private:
   /// Finds the edge whose function is smallest at a pixel, and returns the value of this function:
   /// lambda (see TetrahedronSilhouette), clamped to [0, 1].
   double Locate(double x, double y, int& edge) const;
+
+  /// Returns the texture coordinates of a face at the offset (dx, dy) from the thick point. \a at
+  /// are the channels there. The face is the base if \a edge is negative.
+  BoundaryShading::TexturePosition GetTexturePosition(
+    const std::array<double, CHANNELS>& at, double dx, double dy, int edge) const;
 
   const TetrahedraFrame& Frame;
   const TileBins& Bins;

@@ -16,8 +16,8 @@
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationSphere.h"
+#include "vtkTexture.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace
@@ -48,26 +48,24 @@ void Build(gallery::Stage& stage)
     filter->SetStreamSurface(i, values[static_cast<std::size_t>(i)]);
   }
   filter->GenerateStreamSurfacesOn();
+  filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
 
-  // Each surface has the color of the volume at its inflow value.
+  // Each surface has the color of the volume at its inflow value. The innermost one is the axis.
   const vtkSmartPointer<vtkColorTransferFunction> map =
     gallery::MakeColorMap(gallery::Map::Viridis, 0.56, 0.0);
-  values.push_back(0.0);
   values.push_back(0.38);
-  std::sort(values.begin(), values.end());
-  std::vector<vtkColor3d> colors;
+  std::vector<vtkSmartPointer<vtkTexture>> textures = { nullptr };
   for (const double value : values)
   {
     vtkColor3d color;
     map->GetColor(value, color.GetData());
-    colors.push_back(color);
+    textures.push_back(gallery::MakeGridTexture(16, 0, color, gallery::TextColor(), 0.8));
   }
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
   gallery::SetGradientNormals(surfaces->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
-  gallery::SetStreamlineCoordinates(surfaces, 0, 16, 6);
 
   gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.3, 0.0 }, { 0.0, 1.0, 0.0 });
   panel.UseParallelProjection();
@@ -75,7 +73,7 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkPiecewiseFunction> extinction;
   extinction->AddPoint(0.0, 0.8);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(tetrahedra, "Inflow", map, extinction);
-  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.95));
+  gallery::SetTexturedBoundary(volume, surfaces, "StreamSurfaceId", textures);
   panel.Add(volume);
   panel.Add(gallery::MakeSphere({ 0.0, 0.0, -0.5 }, SPHERE_RADIUS, gallery::IntervalColor(3)));
   panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.5 }, SPHERE_RADIUS, gallery::IntervalColor(0)));

@@ -7,13 +7,8 @@
 #include "Gallery/Volumes.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetSurfaceFilter.h"
-#include "vtkDoubleArray.h"
-#include "vtkFlowStatus.h"
 #include "vtkFlowVolume.h"
-#include "vtkIdList.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
 #include "vtkIntervalVolume.h"
@@ -23,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationSurfaceSource.h"
@@ -248,32 +244,18 @@ void LightFromAllSides(Panel& panel)
     MakeCameraLight(0.0, -1.0, 0.7, 0.5), MakeCameraLight(0.0, 0.0, 1.0, 0.5) });
 }
 
-void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number)
-{
-  vtkDataArray* parameters = surfaces->GetPointData()->GetArray(vtkFlowStatus::ParametersArray());
-  vtkDataArray* ids = surfaces->GetCellData()->GetArray("StreamSurfaceId");
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetName("StreamlineCoordinates");
-  coordinates->SetNumberOfComponents(2);
-  coordinates->SetNumberOfTuples(surfaces->GetNumberOfPoints());
-  coordinates->Fill(0.0);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < surfaces->GetNumberOfCells(); ++cell)
-  {
-    surfaces->GetCellPoints(cell, corners);
-    const double part = (ids->GetComponent(cell, 0) + 0.5) / number;
-    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType point = corners->GetId(i);
-      coordinates->SetTuple2(point, lines * parameters->GetComponent(point, component), part);
-    }
-  }
-  surfaces->GetPointData()->SetTCoords(coordinates);
-}
-
-void SetTexturedBoundary(vtkVolume* volume, vtkUnstructuredGrid* surfaces, vtkTexture* texture)
+void SetTexturedBoundary(vtkVolume* volume, vtkUnstructuredGrid* surfaces, const char* ids,
+  const std::vector<vtkSmartPointer<vtkTexture>>& textures)
 {
   SetBoundary(volume, surfaces, { 1.0, 1.0, 1.0 }, 1.0);
-  GetMapper(volume)->SetBoundaryTexture(texture);
+  vtkTimeWeightedTetrahedraMapper* mapper = GetMapper(volume);
+  mapper->SetBoundaryIdArrayName(ids);
+  vtkNew<vtkProperty> hidden;
+  hidden->SetOpacity(0.0);
+  for (int i = 0; i < static_cast<int>(textures.size()); ++i)
+  {
+    vtkTexture* texture = textures[static_cast<std::size_t>(i)];
+    texture ? mapper->SetBoundaryTexture(i, texture) : mapper->SetBoundaryProperty(i, hidden);
+  }
 }
 }

@@ -160,17 +160,11 @@ vtkSmartPointer<vtkActor> MakePillar(
 void LightFromAllSides(Panel& panel);
 
 /**
- * Sets the texture coordinates that MakeStreamlineTexture() requires. The first is the parameter u
- * (\a component 0) or v (\a component 1) times \a lines. The second selects one of \a number colors
- * by the id of the stream surface.
- */
-void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number);
-
-/**
  * Draws translucent textured surfaces inside the volume. The surfaces must share the points of the
- * tetrahedra.
+ * tetrahedra. textures[i] applies to triangles whose cell array \a ids is i; null hides them.
  */
-void SetTexturedBoundary(vtkVolume* volume, vtkUnstructuredGrid* surfaces, vtkTexture* texture);
+void SetTexturedBoundary(vtkVolume* volume, vtkUnstructuredGrid* surfaces, const char* ids,
+  const std::vector<vtkSmartPointer<vtkTexture>>& textures);
 }
 
 #endif

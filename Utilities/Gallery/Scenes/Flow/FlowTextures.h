@@ -6,8 +6,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
-#include <vector>
-
 /**
  * Textures for stream and time surfaces.
  */
@@ -15,18 +13,11 @@ namespace gallery
 {
 /**
  * Returns a texture with a grid of \a cellsU x \a cellsV cells, for texture coordinates from 0 to
- * 1. \a area is the color of the cells, \a line the color of the lines between them.
+ * 1. \a area is the color of the cells, \a line the color of the lines between them. The cells have
+ * the given \a opacity, and the lines are opaque. There are no lines along u if \a cellsV is 0.
  */
 vtkSmartPointer<vtkTexture> MakeGridTexture(
-  int cellsU, int cellsV, const vtkColor3d& area, const vtkColor3d& line);
-
-/**
- * Returns a texture with a dark opaque line at each integer of the first texture coordinate. The
- * second texture coordinate, from 0 to 1, selects one of \a colors for the areas between the lines.
- * These areas have the given \a opacity.
- */
-vtkSmartPointer<vtkTexture> MakeStreamlineTexture(
-  const std::vector<vtkColor3d>& colors, double opacity);
+  int cellsU, int cellsV, const vtkColor3d& area, const vtkColor3d& line, double opacity = 1.0);
 }
 
 #endif

@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationCylinder.h"
+#include "vtkTexture.h"
 
 #include <vector>
 
@@ -40,16 +41,17 @@ void Build(gallery::Stage& stage)
   filter->SetStreamSurface(0, 0.17);
   filter->SetStreamSurface(1, 0.23);
   filter->GenerateStreamSurfacesOn();
+  filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(filter, gallery::AddGradient(inflow, "Inflow"));
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
   gallery::SetGradientNormals(surfaces->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
-  gallery::SetStreamlineCoordinates(surfaces, 0, 24, 4);
-  std::vector<vtkColor3d> colors;
+  std::vector<vtkSmartPointer<vtkTexture>> textures;
   for (int i = 0; i < 4; ++i)
   {
-    colors.push_back(gallery::IntervalColor(i));
+    textures.push_back(
+      gallery::MakeGridTexture(24, 0, gallery::IntervalColor(i), gallery::TextColor(), 0.85));
   }
 
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
@@ -57,7 +59,7 @@ void Build(gallery::Stage& stage)
   extinction->AddPoint(0.0, 0.5);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
     tetrahedra, "Inflow", gallery::MakeColorMap(gallery::Map::Viridis, 0.0, 0.5), extinction);
-  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.85));
+  gallery::SetTexturedBoundary(volume, surfaces, "StreamSurfaceId", textures);
   panel.Add(volume);
 }
 
@@ -66,6 +68,6 @@ const gallery::SceneRegistration registration(
     "An analytic model of a hurricane, cut in half. Air enters through the lower half of the rim, "
     "a cylinder around the storm, rises in a ring around the eye and leaves at the top. The four "
     "stream surfaces start at different heights on the rim, blue lowest. The lines on them are "
-    "streamlines, which show the swirl.",
+    "streamlines, which show the swirl. The haze is the volume of this air.",
     {}, &Build });
 }
