@@ -55,7 +55,8 @@ struct TimeVaryingReport;
  * `TimeSlab`. Start and end are the first and last selected time step. Surfaces in time where the
  * array of criterion i equals its bound have the kind 2 i + 8 (lower) or 2 i + 9 (upper). With
  * UNION, the surfaces of the intervals are complete, and those of a criterion are the ones outside
- * of the intervals and of earlier criteria.
+ * of the intervals and of earlier criteria. A cell that equals the value of an interval of zero
+ * width at one step only is then part of both regions at that step.
  *
  * Output port 2, if GenerateSimplices is on: the 4-simplices as VTK_POLY_VERTEX cells of five
  * points, positively oriented in (x,y,z,t), with `Time` and the other point arrays, and cell arrays

@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -265,6 +266,8 @@ void SurfaceCells::Convert(vtkDataSet* input, ExtractionIndex::LinearGrid& surfa
 
 void SurfaceCells::Append(const Grids& parts, vtkUnstructuredGrid* output)
 {
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(output->GetFieldData());
   vtkNew<vtkUnstructuredGrid> before;
   before->ShallowCopy(output);
   Grids grids{ before.GetPointer() };
@@ -275,6 +278,7 @@ void SurfaceCells::Append(const Grids& parts, vtkUnstructuredGrid* output)
   if (grids.size() == 1)
   {
     output->ShallowCopy(grids[0]);
+    output->SetFieldData(fields);
   }
   if (grids.size() < 2)
   {
@@ -290,6 +294,7 @@ void SurfaceCells::Append(const Grids& parts, vtkUnstructuredGrid* output)
       : vtkAlgorithm::SINGLE_PRECISION);
   append->Update();
   output->ShallowCopy(append->GetOutput());
+  output->SetFieldData(fields);
 }
 
 void SurfaceCells::Append(const Grids& parts, const Grids& boundaries, vtkUnstructuredGrid* output,

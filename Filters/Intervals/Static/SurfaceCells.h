@@ -47,8 +47,8 @@ public:
 
   using Grids = std::vector<vtkSmartPointer<vtkUnstructuredGrid>>;
 
-  /// Appends the cells of grids to \a output, with their points. Grids without points may lack
-  /// arrays.
+  /// Appends the cells of grids to \a output, with their points. Keeps the field data of \a output.
+  /// Grids without points may lack arrays.
   static void Append(const Grids& parts, vtkUnstructuredGrid* output);
 
   /// Appends \a parts to \a output, and their boundaries to \a boundary. Each boundary has the

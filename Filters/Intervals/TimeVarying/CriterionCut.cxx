@@ -346,7 +346,8 @@ void CriterionCut::Execute(const std::vector<Half>& halves)
   this->Mesh.AddEdgePoints(this->Points);
   for (std::size_t p = 0; p < this->Bounds.size(); ++p)
   {
-    // Without rounding errors, so that another cut at the same bound has no slivers.
+    // Without rounding errors of the interpolation, so that another cut of a double array at the
+    // same bound has no slivers.
     this->Array->SetComponent(before + static_cast<vtkIdType>(p), 0, this->Bounds[p]);
   }
 }

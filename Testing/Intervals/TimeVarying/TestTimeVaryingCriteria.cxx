@@ -12,6 +12,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -454,6 +455,32 @@ void CheckCellArray(Check& check)
     0.5 * domain, 1e-12, "half of the domain in a union", domain);
 }
 
+/// A union keeps the field data of the input, also if the intervals have no output.
+void CheckFieldData(Check& check)
+{
+  check.SetContext("field data");
+  const TimeSteps steps = RepeatGrid(MakeAllGridTypes({ 2, 2, 2 }, 3).front().Data, Times);
+  AddRandomTimeField(steps, 2, "g");
+  AddRandomTimeField(steps, 1, "f");
+  for (const TimeStep& step : steps)
+  {
+    vtkNew<vtkDoubleArray> field;
+    field->SetName("field");
+    field->InsertNextValue(7.0);
+    GetDataSet(step)->GetFieldData()->AddArray(field);
+  }
+  for (const Interval& interval : { Interval{ { 0.2, 0.8 } }, Interval{ { 2.0, 3.0 } } })
+  {
+    const TimeVaryingExtraction found =
+      Extract(steps, { interval }, { { "g", 0.3, 0.7 } }, Filter::UNION);
+    for (vtkUnstructuredGrid* output : { found.Tetrahedra, found.Boundaries, found.Simplices })
+    {
+      check.That(output->GetNumberOfCells() > 0 && output->GetFieldData()->GetArray("field"),
+        "a field array from " + std::to_string(interval[0]));
+    }
+  }
+}
+
 void CheckMessages(Check& check)
 {
   const TimeSteps steps = RepeatGrid(MakeAllGridTypes({ 2, 2, 2 }, 3).front().Data, { 0, 1 });
@@ -504,6 +531,7 @@ int TestTimeVaryingCriteria(int, char*[])
   CheckBoundaries(check);
   CheckCellArray(check);
   CheckNotFinite(check);
+  CheckFieldData(check);
   CheckMessages(check);
   return check.Result();
 }
