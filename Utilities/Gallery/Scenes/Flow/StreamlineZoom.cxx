@@ -165,14 +165,12 @@ void Build(gallery::Stage& stage)
     {
       panel.Add(actor);
     }
-    if (view.Size < 1.0)
+    // All panels are framed by boxes, so that their scales have exactly these ratios.
+    const vtkBoundingBox part = Scale(bounds, center, view.Size);
+    panel.Frame(part);
+    for (vtkActor* actor : actors)
     {
-      const vtkBoundingBox part = Scale(bounds, center, view.Size);
-      panel.Frame(part);
-      for (vtkActor* actor : actors)
-      {
-        CutSides(actor, part);
-      }
+      CutSides(actor, part);
     }
     if (view.Size > 0.2)
     {

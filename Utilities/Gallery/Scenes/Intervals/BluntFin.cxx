@@ -168,7 +168,7 @@ void BuildIntervalLinear(gallery::Stage& stage)
   extinction->AddPoint(2.0, 1.2);
   extinction->AddPoint(upper, 8.0);
   gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.55, 0.5 });
-  panel.Frame(vtkBoundingBox(-1.0, 9.0, -2.5, 2.5, 0.0, 6.2));
+  panel.Frame(vtkBoundingBox(-1.5, 10.0, -4.0, 4.0, 0.0, 7.0));
   panel.SetBackground({ 0.86, 0.90, 0.95 });
   panel.SetAmbientOcclusion(0.0);
   panel.Add(MakeBluntFinPlate(flow, { 0.80, 0.79, 0.77 }));

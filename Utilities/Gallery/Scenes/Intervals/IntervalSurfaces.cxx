@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
+#include "vtkTubeFilter.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
@@ -65,11 +66,14 @@ void AddBands(gallery::Panel& panel, vtkDataSet* data)
     actor->GetProperty()->EdgeVisibilityOn();
     panel.Add(actor);
   }
-  vtkSmartPointer<vtkActor> lines =
-    gallery::MakeActor(MakePolygons(vtkDataSet::SafeDownCast(intervals->GetOutputDataObject(1))),
-      gallery::TextColor());
-  lines->GetProperty()->SetLineWidth(5);
-  panel.Add(lines);
+  // Tubes, since parts of lines would be behind the triangles.
+  vtkNew<vtkTubeFilter> lines;
+  lines->SetInputData(MakePolygons(vtkDataSet::SafeDownCast(intervals->GetOutputDataObject(1))));
+  lines->SetRadius(0.005 * data->GetLength());
+  lines->SetNumberOfSides(12);
+  lines->CappingOn();
+  lines->Update();
+  panel.Add(gallery::MakeActor(lines->GetOutput(), gallery::TextColor()));
 }
 
 void Build(gallery::Stage& stage)

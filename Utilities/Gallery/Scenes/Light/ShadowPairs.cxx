@@ -20,7 +20,7 @@ void BuildSphereShadow(gallery::Stage& stage)
   fuzzy->SetRadius(0.5);
   fuzzy->SetInnerRadius(0.2);
   vtkSmartPointer<vtkImageData> image = gallery::Sample(gallery::MakeFloor({ 0.86, 0.80, 0.70 }),
-    vtkBoundingBox(-1.1, 1.6, -1.15, 2.1, -0.06, 1.16), 220);
+    vtkBoundingBox(-1.2, 1.9, -1.35, 2.4, -0.06, 1.16), 250);
   gallery::AddSmoke(image, gallery::Place(fuzzy, { 0.0, 0.0, 0.6 }), 0.24, { 0.27, 0.45, 0.68 });
   const double opacity = 0.075;
   gallery::ShadowPair pair =
@@ -28,7 +28,7 @@ void BuildSphereShadow(gallery::Stage& stage)
       gallery::MakeStudioLights({ -1.9, -1.1, 3.6 }, 0.95), 3.0 * gallery::SMOKE_GRADIENT);
   pair.SetBackground({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
   // From this height, the floor fills the image. Its far edge would have a bright rim.
-  pair.Look({ 0.1, -1.0, 1.5 }, vtkBoundingBox(-0.52, 0.88, -0.1, 0.1, -0.3, 1.1));
+  pair.Look({ 0.1, -1.0, 1.5 }, vtkBoundingBox(-0.52, 1.06, -0.1, 0.1, -0.3, 1.1));
 }
 
 const gallery::SceneRegistration sphereShadow(
