@@ -10,14 +10,20 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "vtksys/Process.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace
@@ -31,6 +37,8 @@ struct Options
   int Samples = 3;
   std::string Json;
   int Frames = 36;
+  int Jobs = 1;
+  bool HasPage = true;
 };
 
 void PrintList()
@@ -79,50 +87,134 @@ std::vector<const gallery::Scene*> ChosenScenes(const std::vector<std::string>& 
   return scenes;
 }
 
-void WriteJson(const std::vector<gallery::SceneReport>& reports, const std::string& path)
+void WriteJson(const std::vector<nlohmann::json>& reports, const std::string& path)
 {
-  nlohmann::json scenes = nlohmann::json::array();
-  for (const gallery::SceneReport& report : reports)
-  {
-    scenes.push_back(ToJson(report));
-  }
   std::ofstream file(path);
-  file << nlohmann::json{ { "scenes", scenes } }.dump(2) << "\n";
+  file << nlohmann::json{ { "scenes", reports } }.dump(2) << "\n";
   if (!file)
   {
     throw std::runtime_error("Cannot write " + path + ".");
   }
 }
 
-void Draw(const Options& options)
+/// Draws a scene in this process.
+nlohmann::json DrawHere(const gallery::Scene& scene, const Options& options)
 {
-  const gallery::ImageSize size = ParseSize(options.Size, options.Samples);
+  gallery::SceneReport report;
+  gallery::FrameFiles frames(options.Out, scene.Id);
+  vtkSmartPointer<vtkImageData> image =
+    gallery::RenderScene(scene, ParseSize(options.Size, options.Samples), report, options.Frames,
+      [&frames](vtkImageData* frame) { frames.Add(frame); });
+  report.HasMovie = frames.Finish();
+  gallery::WritePng(image, options.Out + "/" + scene.Id + ".png");
+  return ToJson(report);
+}
+
+/// Draws a scene in a process of its own, since OpenGL is used by one thread of a process.
+nlohmann::json DrawInProcess(
+  const gallery::Scene& scene, const Options& options, const std::string& program)
+{
+  const std::string json = options.Out + "/" + scene.Id + ".json";
+  const std::vector<std::string> words = { program, "--no-page", "--scene", scene.Id, "--out",
+    options.Out, "--size", options.Size, "--antialias", std::to_string(options.Samples), "--frames",
+    std::to_string(options.Frames), "--json", json };
+  std::vector<const char*> command;
+  for (const std::string& word : words)
+  {
+    command.push_back(word.c_str());
+  }
+  command.push_back(nullptr);
+  const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> process(
+    vtksysProcess_New(), &vtksysProcess_Delete);
+  vtksysProcess_SetCommand(process.get(), command.data());
+  vtksysProcess_SetPipeShared(process.get(), vtksysProcess_Pipe_STDERR, 1);
+  vtksysProcess_Execute(process.get());
+  vtksysProcess_WaitForExit(process.get(), nullptr);
+  if (vtksysProcess_GetState(process.get()) != vtksysProcess_State_Exited ||
+    vtksysProcess_GetExitValue(process.get()) != 0)
+  {
+    throw std::runtime_error("The process that draws " + scene.Id + " failed.");
+  }
+  const nlohmann::json report = nlohmann::json::parse(std::ifstream(json)).at("scenes").at(0);
+  vtksys::SystemTools::RemoveFile(json);
+  return report;
+}
+
+/// Draws scenes, several at a time if there are several jobs, and returns their reports.
+std::vector<nlohmann::json> DrawAll(const std::vector<const gallery::Scene*>& scenes,
+  const Options& options, const std::string& program)
+{
+  const bool isParallel = options.Jobs > 1 && scenes.size() > 1;
+  std::vector<nlohmann::json> reports(scenes.size());
+  std::mutex mutex;
+  std::size_t begun = 0;
+  std::size_t finished = 0;
+  std::exception_ptr error;
+  const auto work = [&]()
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    while (begun < scenes.size() && !error)
+    {
+      const std::size_t i = begun++;
+      lock.unlock();
+      nlohmann::json report;
+      std::exception_ptr failure;
+      try
+      {
+        report =
+          isParallel ? DrawInProcess(*scenes[i], options, program) : DrawHere(*scenes[i], options);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+      }
+      lock.lock();
+      error = error ? error : failure;
+      if (!failure)
+      {
+        std::printf("[%zu/%zu] %-26s %.1f s\n", ++finished, scenes.size(), scenes[i]->Id.c_str(),
+          report.at("seconds").get<double>() + report.at("frame_seconds").get<double>());
+        std::fflush(stdout);
+      }
+      reports[i] = std::move(report);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int job = 1; isParallel && job < options.Jobs; ++job)
+  {
+    threads.emplace_back(work);
+  }
+  work();
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
+  return reports;
+}
+
+void Draw(const Options& options, const std::string& program)
+{
+  ParseSize(options.Size, options.Samples); // reports a wrong size once
   const std::vector<const gallery::Scene*> scenes = ChosenScenes(options.Scenes);
   const gallery::DisplayKeepAlive display;
   if (!vtksys::SystemTools::MakeDirectory(options.Out))
   {
     throw std::runtime_error("Cannot create the directory " + options.Out + ".");
   }
-  std::vector<gallery::SceneReport> reports;
-  for (const gallery::Scene* scene : scenes)
-  {
-    gallery::SceneReport report;
-    gallery::FrameFiles frames(options.Out, scene->Id);
-    vtkSmartPointer<vtkImageData> image = gallery::RenderScene(
-      *scene, size, report, options.Frames, [&frames](vtkImageData* frame) { frames.Add(frame); });
-    report.HasMovie = frames.Finish();
-    gallery::WritePng(image, options.Out + "/" + scene->Id + ".png");
-    reports.push_back(report);
-    std::printf("[%zu/%zu] %-26s %.1f s\n", reports.size(), scenes.size(), scene->Id.c_str(),
-      report.BuildSeconds + report.RenderSeconds + report.FrameSeconds);
-    std::fflush(stdout);
-  }
-  gallery::WriteIndexPage(options.Out, reports);
+  const std::vector<nlohmann::json> reports = DrawAll(scenes, options, program);
   if (!options.Json.empty())
   {
     WriteJson(reports, options.Json);
   }
-  std::cout << vtksys::SystemTools::CollapseFullPath(options.Out + "/index.html") << "\n";
+  if (options.HasPage)
+  {
+    gallery::WriteIndexPage(options.Out, reports);
+    std::cout << vtksys::SystemTools::CollapseFullPath(options.Out + "/index.html") << "\n";
+  }
 }
 }
 
@@ -150,6 +242,13 @@ int main(int argc, char* argv[])
       "for none")
     ->check(CLI::Range(0, 999))
     ->capture_default_str();
+  app
+    .add_option("--jobs", options.Jobs,
+      "Number of scenes that are rendered at a time, each in its own process. Times in the reports "
+      "are comparable for 1 only.")
+    ->check(CLI::Range(1, 256))
+    ->capture_default_str();
+  app.add_flag("!--no-page", options.HasPage, "Do not write index.html");
   CLI11_PARSE(app, argc, argv);
   try
   {
@@ -159,7 +258,7 @@ int main(int argc, char* argv[])
     }
     else
     {
-      Draw(options);
+      Draw(options, argv[0]);
     }
   }
   catch (const std::exception& error)

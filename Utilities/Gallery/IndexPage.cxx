@@ -8,6 +8,8 @@
 
 #include "vtkVersion.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -86,10 +88,10 @@ std::string Seconds(double seconds)
   return text.data();
 }
 
-std::string Joined(const std::set<std::string>& names)
+std::string Joined(const nlohmann::json& names)
 {
   std::string joined;
-  for (const std::string& name : names)
+  for (const std::string name : names)
   {
     joined += (joined.empty() ? "" : ", ") + name;
   }
@@ -102,7 +104,7 @@ void WriteFact(std::ostream& page, const std::string& name, const std::string& v
 }
 
 /// Writes the number of slices, lights and light buffers of all sliced volumes.
-void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
+void WriteSlices(std::ostream& page, const nlohmann::json& volumes)
 {
   if (volumes.empty())
   {
@@ -111,11 +113,11 @@ void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
   int slices = 0;
   int lights = 0;
   int lightBuffers = 0;
-  for (vtkInterlumeReport* volume : volumes)
+  for (const nlohmann::json& volume : volumes)
   {
-    slices += volume->GetNumber("SlicesDrawn");
-    lights = std::max(lights, static_cast<int>(volume->GetNumber("Lights")));
-    lightBuffers += volume->GetNumber("LightBuffers");
+    slices += volume.at("slices_drawn").get<int>();
+    lights = std::max(lights, volume.at("lights").get<int>());
+    lightBuffers += volume.at("light_buffers").get<int>();
   }
   WriteFact(page, "Slices", Grouped(slices));
   WriteFact(page, "Lights", std::to_string(lights));
@@ -124,64 +126,65 @@ void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
 
 /// Writes the animation of a scene: frames that a script plays, and a link to the movie if there is
 /// one.
-void WriteFrames(std::ostream& page, const Scene& scene, const SceneReport& report)
+void WriteFrames(std::ostream& page, const Scene& scene, const nlohmann::json& report)
 {
-  if (report.Frames == 0)
+  const int frames = report.at("frames");
+  if (frames == 0)
   {
     return;
   }
   page << "<img class=\"frames\" src=\"" << FrameFiles::GetName(scene.Id, 0) << "\" alt=\""
        << Escaped(scene.Title) << ", animated\" data-rate=\"" << FrameFiles::FramesPerSecond
        << "\" data-frames='[";
-  for (int i = 0; i < report.Frames; ++i)
+  for (int i = 0; i < frames; ++i)
   {
     page << (i > 0 ? "," : "") << '"' << FrameFiles::GetName(scene.Id, i) << '"';
   }
   page << "]'>\n";
-  if (report.HasMovie)
+  if (report.at("movie").get<bool>())
   {
     page << "<p class=\"source\"><a href=\"" << FrameFiles::GetMovieName(scene.Id)
          << "\">The animation as a movie</a> (Ogg Theora).</p>\n";
   }
 }
 
-void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& report,
+void WriteScene(std::ostream& page, const Scene& scene, const nlohmann::json& report,
   const std::vector<interlume::DataRow>& manifest)
 {
   page << "<article id=\"" << scene.Id << "\">\n<a href=\"" << scene.Id << ".png\"><img src=\""
-       << scene.Id << ".png\" width=\"" << report.Width << "\" height=\"" << report.Height
-       << "\" alt=\"" << Escaped(scene.Title) << "\"></a>\n<h2>" << Escaped(scene.Title) << "<span>"
-       << scene.Id << " &middot; figure " << scene.Figure << "</span></h2>\n<p>"
-       << Escaped(scene.Caption) << "</p>\n";
+       << scene.Id << ".png\" width=\"" << report.at("size")[0] << "\" height=\""
+       << report.at("size")[1] << "\" alt=\"" << Escaped(scene.Title) << "\"></a>\n<h2>"
+       << Escaped(scene.Title) << "<span>" << scene.Id << " &middot; figure " << scene.Figure
+       << "</span></h2>\n<p>" << Escaped(scene.Caption) << "</p>\n";
   WriteFrames(page, scene, report);
   page << "<dl>\n";
-  if (report.Filters > 0)
+  if (report.at("filters") > 0)
   {
-    WriteFact(page, "Cells in", Grouped(report.Extraction.at("Cells")));
-    WriteFact(page, "Tetrahedra out", Grouped(report.Tetrahedra));
-    WriteFact(page, "Intervals", std::to_string(report.Intervals));
-    WriteFact(page, "Extraction", Seconds(report.ExtractSeconds));
+    WriteFact(page, "Cells in", Grouped(report.at("extraction").at("cells")));
+    WriteFact(page, "Tetrahedra out", Grouped(report.at("tetrahedra")));
+    WriteFact(page, "Intervals", std::to_string(report.at("intervals").get<int>()));
+    WriteFact(page, "Extraction", Seconds(report.at("extract_seconds")));
   }
-  if (report.BoundaryTriangles > 0)
+  if (report.at("boundary_triangles") > 0)
   {
-    WriteFact(page, "Boundary triangles", Grouped(report.BoundaryTriangles));
+    WriteFact(page, "Boundary triangles", Grouped(report.at("boundary_triangles")));
   }
-  if (report.Simplices > 0)
+  if (report.at("simplices") > 0)
   {
-    WriteFact(page, "4-simplices", Grouped(report.Simplices));
+    WriteFact(page, "4-simplices", Grouped(report.at("simplices")));
   }
-  if (report.Criteria > 0)
+  if (report.at("criteria") > 0)
   {
-    WriteFact(page, "Further criteria", std::to_string(report.Criteria));
+    WriteFact(page, "Further criteria", std::to_string(report.at("criteria").get<int>()));
   }
-  WriteSlices(page, report.SlicedVolumes);
-  WriteFact(page, "Drawing", Seconds(report.RenderSeconds));
-  WriteFact(page, "Passes", std::to_string(report.Passes));
+  WriteSlices(page, report.at("sliced_volumes"));
+  WriteFact(page, "Drawing", Seconds(report.at("render_seconds")));
+  WriteFact(page, "Passes", std::to_string(report.at("passes").get<int>()));
   std::array<char, 48> buffers;
-  std::snprintf(buffers.data(), buffers.size(), "%d, %.0f MB", report.Buffers,
-    static_cast<double>(report.Bytes) / 1e6);
+  std::snprintf(buffers.data(), buffers.size(), "%d, %.0f MB", report.at("buffers").get<int>(),
+    report.at("bytes").get<double>() / 1e6);
   WriteFact(page, "Buffers", buffers.data());
-  page << "<div class=\"features\"><dt>Features on</dt><dd>" << Joined(report.Features)
+  page << "<div class=\"features\"><dt>Features on</dt><dd>" << Joined(report.at("features"))
        << "</dd></div>\n</dl>\n";
   for (const std::string& file : scene.Data)
   {
@@ -193,7 +196,7 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
 }
 }
 
-void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& reports)
+void WriteIndexPage(const std::string& folder, const std::vector<nlohmann::json>& reports)
 {
   const std::vector<interlume::DataRow> manifest = interlume::ReadDataManifest();
   std::ostringstream page;
@@ -205,16 +208,16 @@ void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& r
           "field lies between two values, as tetrahedra. Each image is a short pipeline of public "
           "classes. Figure numbers refer to the dissertation on which the methods are based "
           "(C.&nbsp;Zhang, Ohio State University, 2006).</p>\n<nav>\n";
-  for (const SceneReport& report : reports)
+  for (const nlohmann::json& report : reports)
   {
-    const Scene& scene = *FindScene(report.Id);
+    const Scene& scene = *FindScene(report.at("id"));
     page << "<a href=\"#" << scene.Id << "\"><img src=\"" << scene.Id << ".png\" alt=\"\">"
          << Escaped(scene.Title) << "</a>\n";
   }
   page << "</nav>\n</header>\n<main>\n";
-  for (const SceneReport& report : reports)
+  for (const nlohmann::json& report : reports)
   {
-    WriteScene(page, *FindScene(report.Id), report, manifest);
+    WriteScene(page, *FindScene(report.at("id")), report, manifest);
   }
   page
     << "</main>\n<footer>Rendered off-screen with VTK " << vtkVersion::GetVTKVersion()
