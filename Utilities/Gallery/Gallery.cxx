@@ -110,7 +110,7 @@ nlohmann::json DrawHere(const gallery::Scene& scene, const Options& options)
   return ToJson(report);
 }
 
-/// Draws a scene in a process of its own, since OpenGL is used by one thread of a process.
+/// Draws a scene in a process of its own, since VTK renders in one thread of a process.
 nlohmann::json DrawInProcess(
   const gallery::Scene& scene, const Options& options, const std::string& program)
 {

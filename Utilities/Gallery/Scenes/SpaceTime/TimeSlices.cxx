@@ -107,8 +107,8 @@ void Build(gallery::Stage& stage)
   const std::array<const char*, 3> captions = { { "first step", "midway", "second step" } };
   vtkNew<vtkAnalyticFieldSource> wave;
   wave->SetFieldToWave();
-  // The wave is linear in z and changes slowly along y, so it needs many points only along x.
-  wave->SetDimensions(1280, 8, 2);
+  // The wave is linear in z and changes slowly along y, so it needs most points along x.
+  wave->SetDimensions(1280, 32, 2);
   wave->SetBounds(-3.4, 3.4, -0.4, 0.4, -0.7, 0.7);
   wave->SetTimeRange(times.front(), times.back());
   wave->SetNumberOfTimeSteps(2);
