@@ -6,7 +6,7 @@ python3 interval_surfaces.py IMAGE.png
 
 import numpy as np
 from interlume import vtkIntervalVolume
-from props import COLORS, make_actor, run, select_triangles
+from props import COLORS, make_actor, make_tubes, run, select_triangles
 from stage import INK, Stage
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -29,12 +29,11 @@ for caption, data in (("an image", image), ("a sphere", run(sphere))):
     for i in range(4):
         intervals.SetInterval(i, i / 4, (i + 1) / 4)
     bands = run(intervals, data)
-    parts = [(select_triangles(bands, "IntervalId", i), COLORS[i]) for i in range(4)]
     panel = stage.add_panel(caption)
-    for cells, color in (*parts, (intervals.GetOutputDataObject(1), INK)):
-        actor = make_actor(run(vtkDataSetSurfaceFilter(), cells), color)
-        actor.GetProperty().SetEdgeVisibility(color is not INK)
-        actor.GetProperty().SetLineWidth(1 if color is not INK else 5)
+    for i in range(4):
+        actor = make_actor(run(vtkDataSetSurfaceFilter(), select_triangles(bands, "IntervalId", i)), COLORS[i])
+        actor.GetProperty().EdgeVisibilityOn()
         panel.add(actor)
+    panel.add(make_actor(make_tubes(intervals.GetOutputDataObject(1), 0.005 * data.GetLength()), INK))
 stage.panels[0].look_from((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 stage.save()

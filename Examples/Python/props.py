@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_TRIANGLE, vtkCellArray, vtkDataObject, vtkPiecewiseFunction, vtkPolyData,
     vtkStructuredGrid, vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTubeFilter
 from vtkmodules.vtkFiltersGeneral import vtkGradientFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
@@ -57,6 +57,15 @@ def reduce(image, factor):
     small = run(shrink, image)
     small.GetPointData().GetScalars().SetName(image.GetPointData().GetScalars().GetName())
     return small
+
+
+def make_tubes(lines, radius):
+    """Returns tubes around the line cells of a dataset."""
+    tubes = vtkTubeFilter()
+    tubes.SetRadius(radius)
+    tubes.SetNumberOfSides(12)
+    tubes.CappingOn()
+    return run(tubes, run(vtkDataSetSurfaceFilter(), lines))
 
 
 def smooth(image, deviations):

@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 wave = vtkAnalyticFieldSource()
 wave.SetFieldToWave()
-wave.SetDimensions(1280, 8, 2)
+wave.SetDimensions(1280, 32, 2)
 wave.SetBounds(-3.4, 3.4, -0.4, 0.4, -0.7, 0.7)
 wave.SetTimeRange(0.0, 0.5)
 wave.SetNumberOfTimeSteps(2)

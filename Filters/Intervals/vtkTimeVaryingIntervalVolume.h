@@ -53,10 +53,7 @@ struct TimeVaryingReport;
  * Output port 1: the selected boundaries as triangles and tetrahedra in space, with `Time` and the
  * other point arrays, and cell arrays `BoundaryKind` (int, see BoundaryKinds), `IntervalId` and
  * `TimeSlab`. Start and end are the first and last selected time step. Surfaces in time where the
- * array of criterion i equals its bound have the kind 2 i + 8 (lower) or 2 i + 9 (upper). With
- * UNION, the surfaces of the intervals are complete, and those of a criterion are the ones outside
- * of the intervals and of earlier criteria. A cell that equals the value of an interval of zero
- * width at one step only is then part of both regions at that step.
+ * array of criterion i equals its bound have the kind 2 i + 8 (lower) or 2 i + 9 (upper).
  *
  * Output port 2, if GenerateSimplices is on: the 4-simplices as VTK_POLY_VERTEX cells of five
  * points, positively oriented in (x,y,z,t), with `Time` and the other point arrays, and cell arrays
@@ -189,7 +186,10 @@ public:
   ///@{
   /**
    * If true, port 1 contains the boundary cells of kind \a kind (see BoundaryKinds). Default off.
-   * SetGenerateBoundaries sets the flags of all kinds. It is an error to set an invalid kind.
+   * SetGenerateBoundaries sets the flags of all kinds. It is an error to set an invalid kind. With
+   * UNION, the surfaces of the intervals are complete, and those of a criterion are the ones
+   * outside of the intervals and of earlier criteria. A cell that equals the value of an interval
+   * of zero width at one step only is then part of both regions at that step.
    */
   void SetGenerateBoundary(int kind, bool on);
   bool GetGenerateBoundary(int kind) const;

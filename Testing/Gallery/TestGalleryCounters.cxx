@@ -204,10 +204,10 @@ public:
       "shaders have code for time extents only in time-varying scenes");
     this->Expect(has("surface") == (volume.at("boundary_triangles") > 0),
       "shaders have code for boundary triangles only if there are some");
-    const bool isParallel = this->Scene == "constant-plate" || this->Scene == "wave-in-time" ||
-      this->Scene == "coupled-charge";
-    this->Expect(
-      has("perspective") != isParallel, "the projection is perspective, except in three");
+    const std::set<std::string> parallel{ "constant-plate", "coupled-charge", "flow-system",
+      "projected-hypercube", "wave-in-time" };
+    this->Expect(has("perspective") != (parallel.count(this->Scene) > 0),
+      "the projection is perspective, except in a few scenes");
     this->Expect(volume.at("pixel_stride") == 1, "every pixel is computed");
     this->Expect(volume.at("tetrahedra_drawn") > 0, "some tetrahedra are drawn");
     this->Expect(
