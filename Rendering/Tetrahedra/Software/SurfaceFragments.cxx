@@ -154,13 +154,17 @@ void SurfaceFragments::Compute(
           continue;
         }
         const double weight = view.IsParallel() ? 1.0 : at[0];
-        const BoundaryShading::TexturePosition texture =
-          this->GetTexturePosition(at, dx, dy, isBase ? -1 : edge);
-        const auto& materials = this->Frame.Fields->FaceMaterials;
-        const std::size_t material = materials.empty() ? 0 : materials[r.Tetrahedron][face];
-        this->Colors[end][i] = this->Frame.Surface->Shade(
-          this->Frame.Surface->GetMaterials()[material], view.GetEyeCoordinates(x, y, at[0]),
-          { at[1] / weight, at[2] / weight, at[3] / weight }, texture);
+        const auto& numbers = this->Frame.Fields->FaceMaterials;
+        const std::size_t number = numbers.empty() ? 0 : numbers[r.Tetrahedron][face];
+        const BoundaryShading::Material& material = this->Frame.Surface->GetMaterials()[number];
+        BoundaryShading::TexturePosition texture{};
+        if (material.Texture >= 0)
+        {
+          texture = this->GetTexturePosition(at, dx, dy, isBase ? -1 : edge);
+        }
+        this->Colors[end][i] =
+          this->Frame.Surface->Shade(material, view.GetEyeCoordinates(x, y, at[0]),
+            { at[1] / weight, at[2] / weight, at[3] / weight }, texture);
       }
     }
   }
