@@ -93,10 +93,14 @@ def check_criteria(checks, extraction):
     outside = extent()
     checks.that(0 < inside < everything and abs(inside + outside - everything) <= 1e-5 * everything,
                 f"parts of a criterion: {inside} and {outside} of {everything}")
+    volume.Criteria = ["side", str(low - 0.5), str(bound)]
     volume.CombineCriteria = "Union"
+    # The intervals contain the values of the x coordinate from low to high.
+    expected = everything * (high - low + 0.5) / (high - low)
     united = extent()
     ids = fetch(volume).GetCellData().GetArray("IntervalId").GetRange()
-    checks.that(united > everything and ids[0] == -1, f"union of {united} with {everything}, ids from {ids[0]}")
+    checks.that(ids[0] == -1 and abs(united - expected) <= 1e-5 * expected,
+                f"union of {united} instead of {expected}, ids from {ids[0]}")
 
 
 def main(checks):
