@@ -7,6 +7,7 @@
 #include "Common/IntervalCheck.h"
 #include "Pass/GhostCells.h"
 #include "Static/DataSetLeaves.h"
+#include "Static/EmptyOutputDiagnosis.h"
 #include "Static/ExtractionInput.h"
 
 #include "vtkDataObject.h"
@@ -138,6 +139,13 @@ interlume::Error vtkIntervalAlgorithm::CheckCriteria(vtkDataSet* input) const
       [&] { return interlume::IntervalCheck::FindError(name, criterion.Lower, criterion.Upper); });
   }
   return error;
+}
+
+std::string vtkIntervalAlgorithm::DescribeIntervals() const
+{
+  return interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) +
+    (this->CriteriaOperation == UNION && !this->Criteria.empty() ? " or satisfies a criterion"
+                                                                 : "");
 }
 
 std::string vtkIntervalAlgorithm::DescribeCriterion(int number) const

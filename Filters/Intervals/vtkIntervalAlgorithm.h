@@ -183,6 +183,8 @@ protected:
   std::vector<std::string> GetCriteriaArrayNames() const;
   /// Returns an error if a criterion is invalid for a dataset.
   interlume::Error CheckCriteria(vtkDataSet* input) const;
+  /// Returns a description of the requested region for messages, such as "the interval [1, 2]".
+  std::string DescribeIntervals() const;
   /// Returns a description of a criterion for messages.
   std::string DescribeCriterion(int number) const;
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -55,11 +55,7 @@ int vtkIntervalVolume::RequestData(
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->ExtractFrom(input, run, grids[0], grids[1]); });
   this->EndMemory(run.GetReport());
-  run.Finish({ this->GetIntervals(),
-               interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) +
-                 (this->GetCriteriaOperation() == UNION && !this->GetCriteria().empty()
-                     ? " or satisfies a criterion"
-                     : ""),
+  run.Finish({ this->GetIntervals(), this->DescribeIntervals(),
                this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
     this->GetReportBalance(), this->GetWarnOnEmptyOutput(), this->Report);
   return 1;

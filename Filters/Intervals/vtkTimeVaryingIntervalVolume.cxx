@@ -437,11 +437,7 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun
     isSelected
       ? ""
       : "no output is selected. Turn on GenerateTetrahedra, GenerateSimplices or a boundary.",
-    interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) +
-      (this->GetCriteriaOperation() == UNION && this->GetNumberOfCriteria() > 0
-          ? " or satisfies a criterion"
-          : "") +
-      " at any time");
+    this->DescribeIntervals() + " at any time");
   if (why.empty() && this->GenerateTetrahedra && report.Simplices > 0 &&
     report.FlatSimplices == report.Simplices)
   {

@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   CriterionRange
- * @brief   tells which cells overlap the range of a criterion
+ * @brief   range of a criterion, to find the cells that overlap it
  */
 class CriterionRange
 {

@@ -28,34 +28,35 @@ glm::dvec3 Normalized(const glm::dvec3& v)
   return length > 0.0 ? v / length : v;
 }
 
-// Part of a pixel of a mipmap level that a pixel of the level before covers, along one axis.
-struct Share
+// A row or column of pixels of a mipmap level, and its weight in one of the next level.
+struct PixelWeight
 {
   int Pixel;
   float Weight;
 };
 
-// Returns the pixels, of \a before along an axis, that pixel \a i of \a after covers.
-std::vector<Share> FindShares(int i, int before, int after)
+// Returns the rows or columns that row or column \a i of the next level covers. The two levels have
+// \a before and \a after of them.
+std::vector<PixelWeight> FindWeights(int i, int before, int after)
 {
   const double size = static_cast<double>(before) / after;
-  std::vector<Share> shares;
+  std::vector<PixelWeight> weights;
   for (int p = static_cast<int>(i * size); p < before && p < (i + 1) * size; ++p)
   {
     const double covered = std::min(p + 1.0, (i + 1) * size) - std::max<double>(p, i * size);
-    shares.push_back({ p, static_cast<float>(covered / size) });
+    weights.push_back({ p, static_cast<float>(covered / size) });
   }
-  return shares;
+  return weights;
 }
 
 // Returns the mean color of pixels, weighted by opacity.
 BoundaryShading::Color GetMean(const BoundaryShading::Color* pixels, int width,
-  const std::vector<Share>& columns, const std::vector<Share>& rows)
+  const std::vector<PixelWeight>& columns, const std::vector<PixelWeight>& rows)
 {
   BoundaryShading::Color sum{};
-  for (const Share& row : rows)
+  for (const PixelWeight& row : rows)
   {
-    for (const Share& column : columns)
+    for (const PixelWeight& column : columns)
     {
       const BoundaryShading::Color& pixel =
         pixels[static_cast<std::size_t>(row.Pixel) * width + column.Pixel];
@@ -82,15 +83,15 @@ int AppendLevels(int width, int height, std::vector<BoundaryShading::Color>& pix
   {
     const int nextWidth = std::max(width / 2, 1);
     const int nextHeight = std::max(height / 2, 1);
-    std::vector<std::vector<Share>> columns;
+    std::vector<std::vector<PixelWeight>> columns;
     for (int x = 0; x < nextWidth; ++x)
     {
-      columns.push_back(FindShares(x, width, nextWidth));
+      columns.push_back(FindWeights(x, width, nextWidth));
     }
     for (int y = 0; y < nextHeight; ++y)
     {
-      const std::vector<Share> rows = FindShares(y, height, nextHeight);
-      for (const std::vector<Share>& column : columns)
+      const std::vector<PixelWeight> rows = FindWeights(y, height, nextHeight);
+      for (const std::vector<PixelWeight>& column : columns)
       {
         pixels.push_back(GetMean(&pixels[first], width, column, rows));
       }
